@@ -1,0 +1,256 @@
+#include "fluid/lattice.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <experimental/simd>
+
+#include "fluid/collision.hpp"
+
+namespace dld {
+
+namespace stdx = std::experimental;
+using d3q19::directions;
+using d3q19::pairs;
+
+template <class Real>
+Lattice<Real>::Lattice(const UnitCell& cell, const FluidModel& model)
+    : cell_(cell),
+      model_(model),
+      layout_(cell.nx, cell.ny, cell.nz),
+      links_(build_links(cell, layout_, model.walls, model.wall_motion)) {
+  const std::size_t nodes = layout_.stride;
+  populations_.assign(static_cast<std::size_t>(directions) * nodes, Real(0));
+  for (auto& component : force) component.assign(nodes, Real(0));
+  for (auto& component : velocity) component.assign(nodes, Real(0));
+  relaxation_time.assign(nodes, static_cast<Real>(model.relaxation_time));
+  fluid_mask.assign(nodes, Real(0));
+  for (int x = 0; x < cell.nx; ++x) {
+    const auto first = static_cast<std::uint32_t>(segments_.size());
+    for (int z = 0; z < cell.nz; ++z) {
+      for (int y = 0; y < cell.ny; ++y) {
+        if (cell.is_solid(x, y, z)) continue;
+        const std::uint32_t here = layout_.node(x, y, z);
+        fluid_mask[here] = Real(1);
+        ++fluid_nodes_;
+        if (y == 0 || cell.is_solid(x, y - 1, z)) segments_.push_back({x, y, here, 0});
+        ++segments_.back().length;
+      }
+    }
+    planes_.push_back({first, static_cast<std::uint32_t>(segments_.size())});
+  }
+}
+
+template <class Real>
+template <bool Stokes, bool Local>
+void Lattice<Real>::collide_run(std::uint32_t start, int length) {
+  using Vector = stdx::native_simd<Real>;
+  constexpr int width = static_cast<int>(Vector::size());
+  // Each pair exchanges its two places: the local step reads f_i and f_-i of the node and leaves them swapped;
+  // the streaming step reads them from the neighbours and writes them to the neighbours beyond.
+  std::array<Real*, pairs> first, second;
+  Real* const base = populations_.data();
+  for (int p = 0; p < pairs; ++p) {
+    const int a = 2 * p + 1, b = 2 * p + 2;
+    const auto v = d3q19::c[static_cast<std::size_t>(a)];
+    const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(v.x) * layout_.column +
+                                  static_cast<std::ptrdiff_t>(v.z) * layout_.row + v.y;
+    Real* const pa = base + layout_.slot(a, start);
+    Real* const pb = base + layout_.slot(b, start);
+    first[static_cast<std::size_t>(p)] = even_ ? pa : pb - offset;
+    second[static_cast<std::size_t>(p)] = even_ ? pb : pa + offset;
+  }
+  const bool bgk = model_.collision == CollisionModel::bgk;
+  const Real magic = static_cast<Real>(model_.magic_parameter);
+
+  const auto advance = [&](int k, auto load, auto store) {
+    Vector f[directions];
+    load(f[0], base + start + k);
+#pragma GCC unroll 9
+    for (int p = 0; p < pairs; ++p) {
+      load(f[2 * p + 1], first[static_cast<std::size_t>(p)] + k);
+      load(f[2 * p + 2], second[static_cast<std::size_t>(p)] + k);
+    }
+    Vector fx = static_cast<Real>(uniform_force_[0]), fy = static_cast<Real>(uniform_force_[1]),
+           fz = static_cast<Real>(uniform_force_[2]);
+    Vector tau = static_cast<Real>(model_.relaxation_time);
+    if constexpr (Local) {
+      Vector local;
+      load(local, force[0].data() + start + k), fx += local;
+      load(local, force[1].data() + start + k), fy += local;
+      load(local, force[2].data() + start + k), fz += local;
+      load(tau, relaxation_time.data() + start + k);
+    }
+    const Rates<Vector> rates = bgk ? bgk_rates(tau) : trt_rates(tau, magic);
+    const Moments<Vector> m = collide<Stokes>(f, fx, fy, fz, rates);
+    if constexpr (Local) {
+      store(m.ux, velocity[0].data() + start + k);
+      store(m.uy, velocity[1].data() + start + k);
+      store(m.uz, velocity[2].data() + start + k);
+    }
+    store(f[0], base + start + k);
+#pragma GCC unroll 9
+    for (int p = 0; p < pairs; ++p) {
+      store(f[2 * p + 2], first[static_cast<std::size_t>(p)] + k);
+      store(f[2 * p + 1], second[static_cast<std::size_t>(p)] + k);
+    }
+  };
+
+  int k = 0;
+  for (; k + width <= length; k += width) {
+    advance(
+        k, [](Vector& v, const Real* from) { v.copy_from(from, stdx::element_aligned); },
+        [](const Vector& v, Real* to) { v.copy_to(to, stdx::element_aligned); });
+  }
+  if (k < length) {
+    const typename Vector::mask_type tail =
+        Vector([](auto lane) { return static_cast<Real>(static_cast<int>(lane)); }) < static_cast<Real>(length - k);
+    advance(
+        k,
+        [&](Vector& v, const Real* from) {
+          v = Real(1);  // any harmless value in the lanes that are not stored
+          where(tail, v).copy_from(from, stdx::element_aligned);
+        },
+        [&](const Vector& v, Real* to) { where(tail, v).copy_to(to, stdx::element_aligned); });
+  }
+}
+
+template <class Real>
+template <bool Stokes>
+void Lattice<Real>::collide_all(const std::vector<ActiveRange>& active) {
+  for (int x = 0; x < cell_.nx; ++x) {
+    const Row plane = planes_[static_cast<std::size_t>(x)];
+    const ActiveRange range = active.empty() ? ActiveRange{} : active[static_cast<std::size_t>(x)];
+    for (std::uint32_t s = plane.first; s < plane.last; ++s) {
+      const Segment& segment = segments_[s];
+      if (range.length == 0) {
+        collide_run<Stokes, false>(segment.start, segment.length);
+        continue;
+      }
+      // Cut the segment where the active range begins and ends; the range may wrap around once.
+      const int begin = segment.y, end = segment.y + segment.length;
+      std::array<std::array<int, 2>, 2> parts{
+          {{range.begin, range.begin + range.length}, {range.begin - cell_.ny, range.begin + range.length - cell_.ny}}};
+      std::sort(parts.begin(), parts.end());
+      int y = begin;
+      for (const auto& part : parts) {
+        const int from = std::clamp(part[0], y, end), to = std::clamp(part[1], y, end);
+        const auto at = [&](int where) { return segment.start + static_cast<std::uint32_t>(where - begin); };
+        if (from > y) collide_run<Stokes, false>(at(y), from - y);
+        if (to > from) collide_run<Stokes, true>(at(from), to - from);
+        y = std::max(y, to);
+      }
+      if (y < end) {
+        collide_run<Stokes, false>(segment.start + static_cast<std::uint32_t>(y - begin), end - y);
+      }
+    }
+  }
+}
+
+template <class Real>
+void Lattice<Real>::apply(const LinkTable& table) {
+  Real* __restrict__ p = populations_.data();
+  for (const CopyRun& run : table.copies) {
+    const Real constant = static_cast<Real>(run.constant);
+    Real* __restrict__ to = p + run.destination;
+    const Real* __restrict__ from = p + run.source;
+    for (std::uint32_t k = 0; k < run.length; ++k) to[k] = from[k] + constant;
+  }
+  for (const Combination& link : table.combinations) {
+    p[link.destination] = static_cast<Real>(link.weight[0]) * p[link.source[0]] +
+                          static_cast<Real>(link.weight[1]) * p[link.source[1]];
+  }
+}
+
+template <class Real>
+void Lattice<Real>::step(const std::vector<ActiveRange>& active) {
+  if (!even_) apply(links_.before);
+  if (model_.equilibrium == EquilibriumModel::stokes) {
+    collide_all<true>(active);
+  } else {
+    collide_all<false>(active);
+  }
+  if (!even_) apply(links_.after);
+  even_ = !even_;
+}
+
+template <class Real>
+std::array<double, 4> Lattice<Real>::moments(int x, int y, int z) const {
+  assert(even_);
+  const std::uint32_t here = layout_.node(x, y, z);
+  double deviation = 0;
+  std::array<double, 3> j{};
+  for (int i = 0; i < directions; ++i) {
+    const double f = static_cast<double>(populations_[layout_.slot(i, here)]);
+    const auto v = d3q19::c[static_cast<std::size_t>(i)];
+    deviation += f;
+    j[0] += v.x * f;
+    j[1] += v.y * f;
+    j[2] += v.z * f;
+  }
+  const double rho = model_.equilibrium == EquilibriumModel::stokes ? 1.0 : 1.0 + deviation;
+  for (std::size_t k = 0; k < 3; ++k) {
+    j[k] = (j[k] + 0.5 * (uniform_force_[k] + static_cast<double>(force[k][here]))) / rho;
+  }
+  return {deviation, j[0], j[1], j[2]};
+}
+
+template <class Real>
+FlowStatistics Lattice<Real>::statistics() const {
+  FlowStatistics s;
+  s.min_density_deviation = 1e300;
+  s.max_density_deviation = -1e300;
+  for (const Segment& segment : segments_) {
+    for (int k = 0; k < segment.length; ++k) {
+      const std::uint32_t here = segment.start + static_cast<std::uint32_t>(k);
+      double deviation = 0, jx = 0, jy = 0, jz = 0;
+      for (int i = 0; i < directions; ++i) {
+        const double f = static_cast<double>(populations_[layout_.slot(i, here)]);
+        const auto v = d3q19::c[static_cast<std::size_t>(i)];
+        deviation += f;
+        jx += v.x * f;
+        jy += v.y * f;
+        jz += v.z * f;
+      }
+      const double inverse = model_.equilibrium == EquilibriumModel::stokes ? 1.0 : 1.0 / (1.0 + deviation);
+      const std::array<double, 3> u{
+          (jx + 0.5 * (uniform_force_[0] + static_cast<double>(force[0][here]))) * inverse,
+          (jy + 0.5 * (uniform_force_[1] + static_cast<double>(force[1][here]))) * inverse,
+          (jz + 0.5 * (uniform_force_[2] + static_cast<double>(force[2][here]))) * inverse};
+      for (std::size_t d = 0; d < 3; ++d) s.velocity[d] += u[d];
+      s.mean_density_deviation += deviation;
+      s.min_density_deviation = std::min(s.min_density_deviation, deviation);
+      s.max_density_deviation = std::max(s.max_density_deviation, deviation);
+      const double speed2 = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+      // The comparison is written so that NaN is kept: a diverged flow must show.
+      if (!(speed2 <= s.max_speed)) s.max_speed = speed2;
+    }
+  }
+  const double n = static_cast<double>(fluid_nodes_);
+  for (double& u : s.velocity) u /= n;
+  s.mean_density_deviation /= n;
+  s.max_speed = std::sqrt(s.max_speed);
+  return s;
+}
+
+template <class Real>
+void Lattice<Real>::shift_density(double deviation) {
+  assert(even_);
+  for (int i = 0; i < directions; ++i) {
+    const Real add = static_cast<Real>(d3q19::weight(i) * deviation);
+    for (const Segment& segment : segments_) {
+      Real* f = populations_.data() + layout_.slot(i, segment.start);
+      for (int k = 0; k < segment.length; ++k) f[k] += add;
+    }
+  }
+}
+
+template <class Real>
+std::size_t Lattice<Real>::memory_bytes() const {
+  return (populations_.size() + 8 * static_cast<std::size_t>(layout_.stride)) * sizeof(Real);
+}
+
+template class Lattice<float>;
+template class Lattice<double>;
+
+}  // namespace dld

@@ -1,0 +1,172 @@
+#include "fluid/links.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fluid/d3q19.hpp"
+
+namespace dld {
+namespace {
+
+using d3q19::c;
+using d3q19::mirrored;
+using d3q19::opposite;
+
+d3q19::Velocity velocity(int i) { return c[static_cast<std::size_t>(i)]; }
+
+/// A population f_i at a fluid node, addressed in the two states of the in-place scheme.
+struct Population {
+  std::uint32_t after_local;     ///< where the local step left the post-collision f*_i of the node
+  std::uint32_t after_streaming; ///< where the streaming step wrote the post-collision f*_i of the node
+};
+
+class LinkBuilder {
+ public:
+  LinkBuilder(const UnitCell& cell, const LatticeLayout& layout, WallModel model, const WallMotion& motion)
+      : cell_(cell), layout_(layout), model_(model), motion_(motion) {}
+
+  LinkTables build() {
+    for (int x = 0; x < cell_.nx; ++x) {
+      for (int z = 0; z < cell_.nz; ++z) {
+        for (int y = 0; y < cell_.ny; ++y) {
+          if (cell_.is_solid(x, y, z)) continue;
+          for (int i = 1; i < d3q19::directions; ++i) add_link(x, y, z, i);
+        }
+      }
+    }
+    return {finish(before_copies_, std::move(tables_.before.combinations)),
+            finish(after_copies_, std::move(tables_.after.combinations))};
+  }
+
+ private:
+  Population population(int i, int x, int y, int z) const {
+    const auto v = velocity(i);
+    return {layout_.slot(opposite(i), layout_.node(x, y, z)),
+            layout_.slot(i, layout_.node(x + v.x, y + v.y, z + v.z))};
+  }
+
+  /// Post-collision population i of raw node (x, y, z), which may be an image of the fluid node behind it.
+  Population image_population(int i, int x, int y, int z) const {
+    const NodeImage image = cell_.wrap(x, y, z);
+    return population(image.mirrored ? mirrored(i) : i, image.x, image.y, image.z);
+  }
+
+  bool fluid(int x, int y, int z) const {
+    if (cell_.side(z) != HeightSide::inside) return false;
+    const NodeImage image = cell_.wrap(x, y, z);
+    return !cell_.is_solid(image.x, image.y, image.z);
+  }
+
+  bool inside_box(int x, int y, int z) const {
+    return x >= 0 && x < cell_.nx && y >= 0 && y < cell_.ny && z >= 0 && z < cell_.nz;
+  }
+
+  /// Where f_i of the node is expected: read by the streaming step (before), read by the local step (after).
+  Population destination(int i, int x, int y, int z) const {
+    const auto v = velocity(i);
+    return {layout_.slot(opposite(i), layout_.node(x - v.x, y - v.y, z - v.z)),
+            layout_.slot(i, layout_.node(x, y, z))};
+  }
+
+  /// The incoming population i of fluid node (x, y, z), if it does not stream from a fluid node in the box.
+  void add_link(int x, int y, int z, int i) {
+    const auto v = velocity(i);
+    const int sx = x - v.x, sy = y - v.y, sz = z - v.z;
+    const bool from_fluid = fluid(sx, sy, sz);
+    if (from_fluid && inside_box(sx, sy, sz)) return;
+    const Population to = destination(i, x, y, z);
+    if (from_fluid) {
+      copy(to, image_population(i, sx, sy, sz), 0.0);
+      return;
+    }
+    const int out = opposite(i);
+    const HeightSide side = cell_.side(sz);
+    if (side != HeightSide::inside) {
+      // Half-way wall; a wall moving with U adds 6 w_i rho0 (c_i . U) (Ladd 1994).
+      const double speed = side == HeightSide::above_wall ? motion_.above : motion_.below;
+      copy(to, population(out, x, y, z), 6.0 * d3q19::weight(i) * v.x * speed);
+      return;
+    }
+    if (model_ == WallModel::interpolated && add_interpolated(to, x, y, z, i)) return;
+    copy(to, population(out, x, y, z), 0.0);
+  }
+
+  /// Linear interpolated bounce-back (Bouzidi, Firdaouss and Lallemand 2001). Returns false where the second
+  /// node on the link is not fluid: the caller then falls back to the half-way wall.
+  bool add_interpolated(const Population& to, int x, int y, int z, int i) {
+    const int out = opposite(i);
+    const auto v = velocity(out);
+    const double q = cell_.wall_fraction(x, y, z, v.x, v.y, v.z);
+    const Population here = population(out, x, y, z);
+    if (q < 0.5) {
+      if (!fluid(x - v.x, y - v.y, z - v.z)) return false;
+      combine(to, {here, image_population(out, x - v.x, y - v.y, z - v.z)}, {2.0 * q, 1.0 - 2.0 * q});
+    } else {
+      combine(to, {here, population(i, x, y, z)}, {0.5 / q, 1.0 - 0.5 / q});
+    }
+    return true;
+  }
+
+  void copy(const Population& to, const Population& from, double constant) {
+    before_copies_.push_back({to.after_local, from.after_local, 1, constant});
+    after_copies_.push_back({to.after_streaming, from.after_streaming, 1, constant});
+  }
+
+  void combine(const Population& to, std::array<Population, 2> from, std::array<double, 2> weight) {
+    const auto add = [&](LinkTable& table, std::uint32_t destination, std::uint32_t a, std::uint32_t b) {
+      table.combinations.push_back({destination, {a, b}, weight});
+    };
+    add(tables_.before, to.after_local, from[0].after_local, from[1].after_local);
+    add(tables_.after, to.after_streaming, from[0].after_streaming, from[1].after_streaming);
+  }
+
+  /// Sorts by destination and merges neighbours into runs, so that planes and rows move as blocks.
+  static LinkTable finish(std::vector<CopyRun>& copies, std::vector<Combination> combinations) {
+    std::sort(copies.begin(), copies.end(),
+              [](const CopyRun& a, const CopyRun& b) { return a.destination < b.destination; });
+    LinkTable table;
+    for (const CopyRun& next : copies) {
+      if (!table.copies.empty()) {
+        CopyRun& last = table.copies.back();
+        if (next.destination == last.destination + last.length && next.source == last.source + last.length &&
+            next.constant == last.constant) {
+          ++last.length;
+          continue;
+        }
+      }
+      table.copies.push_back(next);
+    }
+    std::sort(combinations.begin(), combinations.end(), [](const Combination& a, const Combination& b) {
+      return a.destination < b.destination;
+    });
+    table.combinations = std::move(combinations);
+    return table;
+  }
+
+  const UnitCell& cell_;
+  const LatticeLayout& layout_;
+  WallModel model_;
+  WallMotion motion_;
+  std::vector<CopyRun> before_copies_, after_copies_;
+  LinkTables tables_;
+};
+
+std::uint32_t round_up(std::uint32_t n, std::uint32_t multiple) { return (n + multiple - 1) / multiple * multiple; }
+
+}  // namespace
+
+LatticeLayout::LatticeLayout(int nx_, int ny_, int nz_) : nx(nx_), ny(ny_), nz(nz_) {
+  // 16 extra places per row hold both ghosts: y = ny behind the row, y = -1 at the end of the row before.
+  row = round_up(static_cast<std::uint32_t>(ny), 16u) + 16u;
+  column = row * static_cast<std::uint32_t>(nz + 2);
+  stride = column * static_cast<std::uint32_t>(nx + 2) + 32u;
+  // An odd number of cache lines between directions keeps them out of each other's cache sets.
+  if ((stride / 16u) % 2u == 0u) stride += 16u;
+}
+
+LinkTables build_links(const UnitCell& cell, const LatticeLayout& layout, WallModel model,
+                       const WallMotion& motion) {
+  return LinkBuilder(cell, layout, model, motion).build();
+}
+
+}  // namespace dld

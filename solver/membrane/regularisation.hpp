@@ -1,0 +1,21 @@
+#pragma once
+/// Cure for mesh motions that are shorter than the coupling kernel and therefore unseen by the fluid.
+#include "membrane/membrane.hpp"
+
+namespace dld {
+
+/// Adds to v_add (nv x 3) the velocity by which each node relaxes along the difference between its own
+/// force f and its neighbours',
+///   v_i = (mobility / 6) sum_j (f_i - f_j)  over the neighbours j of i
+/// (mobility in velocity / force; 6 is the valence of a regular node, where this is f_i minus the mean
+/// of the neighbours). The weight 1/6 is the same for both ends of an edge, also at the 12 nodes of
+/// valence 5, hence
+///   sum_i v_i = 0: the cell's centroid of nodes does not move,
+///   sum_i f_i . v_i = (mobility / 6) sum over edges |f_i - f_j|^2 >= 0: elastic energy only falls,
+///   and a force that varies over the length L gives a velocity of order (edge / L)^2: the resolved
+///   shape is left alone in second order.
+/// The volume is not conserved by it; apply it before the volume projection.
+void force_difference_velocity(const Membrane& membrane, const Eigen::MatrixX3d& f, double mobility,
+                               Eigen::MatrixX3d& v_add);
+
+}  // namespace dld

@@ -1,0 +1,43 @@
+#pragma once
+/// State of an unfinished run: named arrays and texts in one HDF5 file.
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace dld {
+
+/// A scene fills it with set(), saves it, and on resuming reads it with get(). The resolved case goes
+/// with it, so that the state of one case never continues another.
+class Checkpoint {
+ public:
+  using Value = std::variant<std::vector<double>, std::vector<float>, std::vector<std::int64_t>, std::string>;
+
+  /// `case_text` is the resolved case, echo(c).dump().
+  explicit Checkpoint(std::string case_text) : case_text_(std::move(case_text)) {}
+
+  void set(const std::string& name, Value value) { values_[name] = std::move(value); }
+  void set(const std::string& name, double value) { values_[name] = std::vector<double>{value}; }
+  void set(const std::string& name, std::int64_t value) { values_[name] = std::vector<std::int64_t>{value}; }
+
+  bool has(const std::string& name) const { return values_.contains(name); }
+  /// The array or text stored under `name`, T being one of the four types of Value; IoError if absent.
+  template <class T>
+  const T& get(const std::string& name) const;
+  double number(const std::string& name) const;          ///< a single double
+  std::int64_t integer(const std::string& name) const;   ///< a single integer
+
+  /// Written aside and renamed: an interrupted save leaves the previous checkpoint.
+  void save(const std::filesystem::path& path) const;
+  /// Nothing if there is no such file; IoError if it is damaged or belongs to another case.
+  static std::optional<Checkpoint> load(const std::filesystem::path& path, const std::string& case_text);
+
+ private:
+  std::string case_text_;
+  std::map<std::string, Value> values_;
+};
+
+}  // namespace dld

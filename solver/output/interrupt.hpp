@@ -1,0 +1,12 @@
+#pragma once
+/// SIGINT and SIGTERM ask a run to stop at its next step, with a checkpoint.
+
+namespace dld {
+
+/// From now on the two signals set a flag; a second one of the same kind ends the program at once.
+void catch_interrupts();
+
+/// Number of the signal that came, 0 if none.
+int interrupted();
+
+}  // namespace dld

@@ -1,0 +1,17 @@
+#pragma once
+/// Where a result comes from. No time, host, user or path: equal sources give equal text.
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace dld {
+
+/// Fixed when the program was built; the text is generated into provenance.cpp by the build.
+struct BuildInfo {
+  std::string version, git_commit, compiler, flags, build_type, openmp, lbfgs_version;
+};
+const BuildInfo& build_info();
+
+/// {"program", "version", "git_commit", "compiler", "flags", ..., "libraries": {...}, "threads"}
+nlohmann::ordered_json provenance(int threads);
+
+}  // namespace dld

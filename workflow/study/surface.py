@@ -1,0 +1,29 @@
+"""Shaded pictures of triangulated cells."""
+
+import numpy as np
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+LIGHT = np.array([-0.45, -0.55, 0.7]) / np.linalg.norm([-0.45, -0.55, 0.7])
+
+
+def shaded_colours(normals, colour):
+    """Colours (n, 4) of faces with the given unit normals: ambient and diffuse light and a soft highlight."""
+    facing = np.clip(normals @ LIGHT, 0.0, 1.0)[:, None]
+    base = np.asarray(colour)[None, :]
+    tint = np.clip(base * (0.35 + 0.65 * facing) + 0.25 * facing**12, 0.0, 1.0)
+    return np.hstack([tint, np.ones((len(tint), 1))])
+
+
+def draw_cell(axes, vertices, faces, half_width, colour=(0.85, 0.22, 0.18), elevation=32, azimuth=-62):
+    """Draws a cell (vertices in um) around its centre in 3D axes that show +- half_width um, without frame."""
+    corners = (vertices - vertices.mean(axis=0))[faces]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
+    colours = shaded_colours(normals, colour)
+    edges = colours * np.array([0.72, 0.72, 0.72, 1.0])
+    axes.add_collection3d(Poly3DCollection(corners, facecolors=colours, edgecolors=edges, linewidths=0.25))
+    axes.set_proj_type("ortho")
+    axes.view_init(elev=elevation, azim=azimuth)
+    axes.set(xlim=(-half_width, half_width), ylim=(-half_width, half_width), zlim=(-half_width, half_width))
+    axes.set_box_aspect((1, 1, 1), zoom=1.55)
+    axes.set_axis_off()

@@ -1,0 +1,35 @@
+"""Tables as CSV: sorted rows, fixed number formats, units in the header, so that `diff` compares studies."""
+
+from pathlib import Path
+
+import pandas as pd
+
+
+def formatted(value, style):
+    """Text of one cell; a missing or undefined number is an empty cell."""
+    if value is None or (isinstance(value, float) and value != value):
+        return ""
+    if isinstance(value, bool):
+        return str(int(value))
+    if isinstance(value, float) or (hasattr(value, "dtype") and value.dtype.kind == "f"):
+        text = format(float(value), style)
+        return text.lstrip("-") if float(text) == 0 else text
+    return str(value)
+
+
+def write_table(rows, columns, path, sort_by=(), styles=None):
+    """Writes rows (dictionaries) with these columns; `styles` maps a column to a number format."""
+    styles = styles or {}
+    frame = pd.DataFrame([{name: row.get(name) for name in columns} for row in rows], columns=columns)
+    frame = frame.astype(object).where(frame.notna(), None)
+    if len(frame) and sort_by:
+        frame = frame.sort_values(list(sort_by), kind="stable")
+    for name in columns:
+        frame[name] = [formatted(value, styles.get(name, ".6g")) for value in frame[name]]
+    Path(path).parent.mkdir(parents=True, exist_ok=True)
+    frame.to_csv(path, index=False, lineterminator="\n")
+
+
+def read_table(path):
+    """A table as a data frame."""
+    return pd.read_csv(path)
