@@ -8,13 +8,19 @@
 
 namespace dld {
 
-inline double face_area(Vec3 normal) { return 0.5 * std::sqrt(dot(normal, normal)); }
+inline double face_area(Vec3 normal) {
+  return 0.5 * std::sqrt(dot(normal, normal));
+}
 
 /// Signed volume of the tetrahedron of the face and the origin; x1 is its first corner.
-inline double face_volume(Vec3 x1, Vec3 normal) { return dot(x1, normal) / 6; }
+inline double face_volume(Vec3 x1, Vec3 normal) {
+  return dot(x1, normal) / 6;
+}
 
 /// Share of one face in dV/dx of each of its corners.
-inline Vec3 volume_gradient_of_face(Vec3 normal) { return (1.0 / 6) * normal; }
+inline Vec3 volume_gradient_of_face(Vec3 normal) {
+  return (1.0 / 6) * normal;
+}
 
 /// Energy (K/2)(q - q0)^2 / q0 of a global quantity q (area or volume).
 inline double penalty_energy(double modulus, double q, double q0) {
@@ -22,6 +28,8 @@ inline double penalty_energy(double modulus, double q, double q0) {
 }
 
 /// Its derivative by q: a tension for the area, minus a pressure for the volume.
-inline double penalty_derivative(double modulus, double q, double q0) { return modulus * (q - q0) / q0; }
+inline double penalty_derivative(double modulus, double q, double q0) {
+  return modulus * (q - q0) / q0;
+}
 
 }  // namespace dld

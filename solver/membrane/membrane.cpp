@@ -128,10 +128,9 @@ MembraneEnergy Membrane::energy_terms(const Eigen::MatrixX3d& x) const {
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const Edge& edge = edges_[i];
     const auto row = static_cast<Eigen::Index>(i);
-    energy.bending += bending_energy(moduli_.bending, p[edge.v2] - p[edge.v1],
-                                     FaceCorners(x, mesh_.faces, edge.face).normal,
-                                     FaceCorners(x, mesh_.faces, edge.opposite_face).normal,
-                                     {angle_(row, 0), angle_(row, 1)});
+    energy.bending += bending_energy(
+        moduli_.bending, p[edge.v2] - p[edge.v1], FaceCorners(x, mesh_.faces, edge.face).normal,
+        FaceCorners(x, mesh_.faces, edge.opposite_face).normal, {angle_(row, 0), angle_(row, 1)});
   }
   energy.area = penalty_energy(moduli_.global_area, area, reference_area_);
   energy.volume = penalty_energy(moduli_.volume, volume(x), reference_volume_);

@@ -86,17 +86,17 @@ class Membrane {
   std::vector<Edge> edges_;
   double reference_area_ = 0, reference_volume_ = 0;
 
-  Eigen::ArrayXXd metric_;        ///< nf x 4: inverse reference metric h11, h12, h22 and area A0
-  Eigen::ArrayX2d angle_;         ///< ne x 2: sin and cos of the stress-free angle
-  Eigen::ArrayX3i edge_faces_;    ///< ne x 3: corner opposite to the edge (k nf + face), its two faces
-  Eigen::MatrixX3i face_edges_;   ///< nf x 3: the edge opposite to each corner
-  Eigen::MatrixXi corners_;       ///< nv x valence: corners at a vertex; unused places: the zero row
-  Eigen::MatrixXi neighbours_;    ///< nv x valence
+  Eigen::ArrayXXd metric_;       ///< nf x 4: inverse reference metric h11, h12, h22 and area A0
+  Eigen::ArrayX2d angle_;        ///< ne x 2: sin and cos of the stress-free angle
+  Eigen::ArrayX3i edge_faces_;   ///< ne x 3: corner opposite to the edge (k nf + face), its two faces
+  Eigen::MatrixX3i face_edges_;  ///< nf x 3: the edge opposite to each corner
+  Eigen::MatrixXi corners_;      ///< nv x valence: corners at a vertex; unused places: the zero row
+  Eigen::MatrixXi neighbours_;   ///< nv x valence
 
-  Eigen::MatrixX3d normal_;       ///< nf x 3: a x b, twice the area
-  Eigen::MatrixX3d sides_;        ///< 3 nf x 3: row k nf + f is the side of face f opposite to corner k
-  Eigen::ArrayXd hinge_;          ///< ne: bending moment per edge length
-  Eigen::MatrixX3d corner_force_; ///< (3 nf + 1) x 3: force of face f on corner k; last row zero
+  Eigen::MatrixX3d normal_;        ///< nf x 3: a x b, twice the area
+  Eigen::MatrixX3d sides_;         ///< 3 nf x 3: row k nf + f is the side of face f opposite to corner k
+  Eigen::ArrayXd hinge_;           ///< ne: bending moment per edge length
+  Eigen::MatrixX3d corner_force_;  ///< (3 nf + 1) x 3: force of face f on corner k; last row zero
 };
 
 }  // namespace dld

@@ -18,8 +18,15 @@ void Membrane::forces(const Eigen::MatrixX3d& x, Eigen::MatrixX3d& f) {
 
 void Membrane::volume_gradient(const Eigen::MatrixX3d& x, Eigen::MatrixX3d& g) {
   update_faces(x);
+  const ConstColumns3 normal(normal_);
+  const Columns3 gradient(corner_force_);
   const Eigen::Index nf = face_count();
-  for (int k = 0; k < 3; ++k) corner_force_.middleRows(k * nf, nf) = normal_ / 6;
+#pragma omp simd
+  for (Eigen::Index i = 0; i < nf; ++i) {
+    gradient.set(i, volume_gradient_of_face(normal[i]));
+    gradient.set(i + nf, volume_gradient_of_face(normal[i]));
+    gradient.set(i + 2 * nf, volume_gradient_of_face(normal[i]));
+  }
   sum_corners(g);
 }
 
@@ -65,8 +72,8 @@ void Membrane::update_corner_forces(double tension, double pressure) {
   const int *e1 = face_edges_.data(), *e2 = e1 + nf, *e3 = e2 + nf;
   const double* hinge = hinge_.data();
   const Columns3 force(corner_force_);
-#pragma omp simd
-  for (Eigen::Index i = 0; i < nf; ++i) {
+  // A function of its own: values of class type declared inside a simd loop would stop its vectorisation.
+  const auto update_face = [&](Eigen::Index i) {
     const Vec3 a = side[i + 2 * nf], b = -1.0 * side[i + nf], n = normal[i];
     const auto in_plane = skalak_forces({h11[i], h12[i], h22[i], area0[i]}, skalak, tension, a, b);
     const auto bending = hinge_forces(a, b, n, hinge[e1[i]], hinge[e2[i]], hinge[e3[i]]);
@@ -75,7 +82,9 @@ void Membrane::update_corner_forces(double tension, double pressure) {
     force.set(i, push - f2 - f3);
     force.set(i + nf, push + f2);
     force.set(i + 2 * nf, push + f3);
-  }
+  };
+#pragma omp simd
+  for (Eigen::Index i = 0; i < nf; ++i) update_face(i);
 }
 
 void Membrane::sum_corners(Eigen::MatrixX3d& f) const {

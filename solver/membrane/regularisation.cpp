@@ -1,5 +1,8 @@
 #include "membrane/regularisation.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "membrane/vec3.hpp"
 
 namespace dld {
@@ -19,6 +22,31 @@ void force_difference_velocity(const Membrane& membrane, const Eigen::MatrixX3d&
       velocity.set(v, sum[v] + weight * (force[v] - force[neighbour[v]]));
     }
   }
+}
+
+double largest_stiffness(Membrane& membrane) {
+  constexpr int iterations = 60;
+  const Eigen::MatrixX3d& x = membrane.reference().vertices;
+  const double step = 1e-6 * std::sqrt(membrane.reference_area() / static_cast<double>(membrane.face_count()));
+  // A start without symmetry, so that it has a share in every mode.
+  Eigen::MatrixX3d mode(x.rows(), 3), forward(x.rows(), 3), backward(x.rows(), 3);
+  for (Eigen::Index i = 0; i < mode.size(); ++i) mode(i) = std::sin(1.0 + 12.9898 * static_cast<double>(i));
+  double stiffness = 0.0;
+  for (int k = 0; k < iterations; ++k) {
+    mode *= 1.0 / mode.rowwise().norm().maxCoeff();
+    membrane.forces(x + step * mode, forward);
+    membrane.forces(x - step * mode, backward);
+    const Eigen::MatrixX3d response = (backward - forward) / (2.0 * step);
+    stiffness = response.norm() / mode.norm();
+    mode = response;
+  }
+  return stiffness;
+}
+
+double stable_mobility(Membrane& membrane, double wanted) {
+  constexpr double share = 0.25;
+  if (wanted <= 0.0) return 0.0;
+  return std::min(wanted, share * 2.0 / (1.5 * largest_stiffness(membrane)));
 }
 
 }  // namespace dld

@@ -17,8 +17,8 @@ struct ReferenceTriangle {
 };
 
 struct SkalakModuli {
-  double shear;        ///< kS / k
-  double dilatation;   ///< kalpha / 12
+  double shear;       ///< kS / k
+  double dilatation;  ///< kalpha / 12
 };
 
 struct StrainInvariants {

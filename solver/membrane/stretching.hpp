@@ -39,7 +39,7 @@ struct StretchedShape {
 
 /// Accuracy of the minimiser.
 struct MinimiserOptions {
-  double force_tolerance = 1e-5;  ///< largest unbalanced nodal force / (kS r), r from the area 4 pi r^2
+  double force_tolerance = 1e-5;  ///< largest nodal force / (kS r), 4 pi r^2 the area; 1e-6 is in reach
   int max_iterations = 20000;
 };
 

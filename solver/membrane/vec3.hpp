@@ -6,10 +6,18 @@ struct Vec3 {
   double x, y, z;
 };
 
-inline Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
-inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec3 operator+(Vec3 a, Vec3 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vec3 operator-(Vec3 a, Vec3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vec3 operator*(double s, Vec3 a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+inline double dot(Vec3 a, Vec3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 inline Vec3 cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -18,8 +26,7 @@ inline Vec3 cross(Vec3 a, Vec3 b) {
 struct ConstColumns3 {
   const double *x, *y, *z;
   template <class Array>
-  explicit ConstColumns3(const Array& a)
-      : x(a.data()), y(a.data() + a.rows()), z(a.data() + 2 * a.rows()) {}
+  explicit ConstColumns3(const Array& a) : x(a.data()), y(a.data() + a.rows()), z(a.data() + 2 * a.rows()) {}
   Vec3 operator[](long i) const { return {x[i], y[i], z[i]}; }
 };
 

@@ -27,8 +27,8 @@ class Checkpoint {
   /// The array or text stored under `name`, T being one of the four types of Value; IoError if absent.
   template <class T>
   const T& get(const std::string& name) const;
-  double number(const std::string& name) const;          ///< a single double
-  std::int64_t integer(const std::string& name) const;   ///< a single integer
+  double number(const std::string& name) const;         ///< a single double
+  std::int64_t integer(const std::string& name) const;  ///< a single integer
 
   /// Written aside and renamed: an interrupted save leaves the previous checkpoint.
   void save(const std::filesystem::path& path) const;

@@ -43,8 +43,8 @@ class Hdf5File {
 
   /// A matrix (rows, columns), whatever its storage order: vertices (nv, 3), faces (nf, 3).
   template <class Derived>
-  void write_matrix(const std::string& name, const Eigen::MatrixBase<Derived>& matrix, const std::string& unit,
-                    const std::string& description) {
+  void write_matrix(const std::string& name, const Eigen::MatrixBase<Derived>& matrix,
+                    const std::string& unit, const std::string& description) {
     using T = typename Derived::Scalar;
     const Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = matrix;
     write(name, std::span<const T>(rows.data(), static_cast<std::size_t>(rows.size())),
@@ -53,7 +53,8 @@ class Hdf5File {
 
   /// A single number.
   template <class T>
-  void write_scalar(const std::string& name, T value, const std::string& unit, const std::string& description) {
+  void write_scalar(const std::string& name, T value, const std::string& unit,
+                    const std::string& description) {
     write(name, std::span<const T>(&value, 1), {}, unit, description);
   }
 
@@ -77,8 +78,8 @@ class Hdf5File {
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  void write_raw(const std::string& name, const void* data, std::int64_t memory_type, std::size_t bytes_per_value,
-                 std::size_t count, const Shape& shape);
+  void write_raw(const std::string& name, const void* data, std::int64_t memory_type,
+                 std::size_t bytes_per_value, std::size_t count, const Shape& shape);
 
   std::filesystem::path path_, part_;
   std::int64_t file_ = -1;  ///< hid_t, kept out of the header with the library's macros
@@ -104,6 +105,8 @@ class Hdf5Reader {
   template <class T>
   std::vector<T> read(const std::string& dataset) const;
   std::string text_attribute(const std::string& object, const std::string& name) const;
+  /// Names of all attributes of an object, sorted.
+  std::vector<std::string> text_attributes(const std::string& object) const;
 
  private:
   std::int64_t file_ = -1;

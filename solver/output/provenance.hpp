@@ -7,7 +7,7 @@ namespace dld {
 
 /// Fixed when the program was built; the text is generated into provenance.cpp by the build.
 struct BuildInfo {
-  std::string version, git_commit, compiler, flags, build_type, openmp, lbfgs_version;
+  std::string version, git_commit, compiler, flags, build_type, openmp, lbfgs_version, cli11_version;
 };
 const BuildInfo& build_info();
 

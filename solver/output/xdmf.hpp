@@ -29,7 +29,7 @@ struct XdmfFlow {
   std::size_t nx = 0, ny = 0;
   double x0_um = 0, y0_um = 0;  ///< position of node (0, 0) relative to the pillar centre
   double spacing_um = 0;
-  int velocity_bytes = 8;       ///< 8 if velocity was written as double, 4 if as float
+  int velocity_bytes = 8;  ///< 8 if velocity was written as double, 4 if as float
 };
 
 struct XdmfDescription {

@@ -18,12 +18,18 @@ constexpr std::array<std::pair<const char*, SceneFunction>, 5> scenes{{
 
 std::string to_string(Status status) {
   switch (status) {
-    case Status::converged: return "converged";
-    case Status::displaced: return "displaced";
-    case Status::zigzag: return "zigzag";
-    case Status::undecided: return "undecided";
-    case Status::diverged: return "diverged";
-    case Status::interrupted: return "interrupted";
+    case Status::converged:
+      return "converged";
+    case Status::displaced:
+      return "displaced";
+    case Status::zigzag:
+      return "zigzag";
+    case Status::undecided:
+      return "undecided";
+    case Status::diverged:
+      return "diverged";
+    case Status::interrupted:
+      return "interrupted";
   }
   return "unknown";
 }

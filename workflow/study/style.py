@@ -1,4 +1,4 @@
-"""One look for all figures, and the one function that saves them: byte for byte the same from the same data."""
+"""One look for all figures, and the one function that saves them: same data, same bytes."""
 
 from pathlib import Path
 
@@ -62,7 +62,7 @@ def new_figure(width, height, **options):
 
 
 def save(figure, pdf_path, note=""):
-    """Saves the figure as PDF and, beside it, PNG, without dates; `note` is shown on top (tiers but paper)."""
+    """Saves the figure as PDF and, beside it, PNG, without dates; a tier's `note` is shown on top."""
     if note:
         figure.suptitle(note, fontsize=8, color=VERMILION, weight="bold")
     path = Path(pdf_path)

@@ -15,15 +15,16 @@ def shaded_colours(normals, colour):
 
 
 def draw_cell(axes, vertices, faces, half_width, colour=(0.85, 0.22, 0.18), elevation=32, azimuth=-62):
-    """Draws a cell (vertices in um) around its centre in 3D axes that show +- half_width um, without frame."""
+    """Draws a cell (vertices in um) around its centre in 3D axes of +- half_width um, without frame."""
     corners = (vertices - vertices.mean(axis=0))[faces]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
     colours = shaded_colours(normals, colour)
     edges = colours * np.array([0.72, 0.72, 0.72, 1.0])
-    axes.add_collection3d(Poly3DCollection(corners, facecolors=colours, edgecolors=edges, linewidths=0.25))
+    surface = Poly3DCollection(corners, facecolors=colours, edgecolors=edges, linewidths=0.25, clip_on=False)
+    axes.add_collection3d(surface)
     axes.set_proj_type("ortho")
     axes.view_init(elev=elevation, azim=azimuth)
     axes.set(xlim=(-half_width, half_width), ylim=(-half_width, half_width), zlim=(-half_width, half_width))
-    axes.set_box_aspect((1, 1, 1), zoom=1.55)
+    axes.set_box_aspect((1, 1, 1), zoom=1.8)
     axes.set_axis_off()

@@ -1,0 +1,50 @@
+"""Reproduction of a deformability-based DLD separation study: solver, runs, tables, figures, verdicts.
+
+    snakemake --cores 2                       the whole study, into results/
+    snakemake --cores 2 --config tier=smoke   every rule on a coarse lattice, into results/smoke/
+
+The runs of a tier stand in params/study.json; workflow/study/plan.py resolves them.
+"""
+
+import os
+import sys
+from glob import glob
+
+from snakemake.utils import min_version
+
+min_version("9.0")
+os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
+sys.path.insert(0, os.path.join(workflow.basedir, "workflow"))
+
+from study.plan import ids, load_plan
+
+STUDY, CLAIMS = "params/study.json", "params/claims.json"
+TIER = str(config.get("tier", "paper"))
+PLAN = load_plan(STUDY, TIER)
+RESULTS = "results" if TIER == "paper" else f"results/{TIER}"
+RUNS, TABLES, FIGURES, LOGS = (f"{RESULTS}/{name}" for name in ("runs", "tables", "figures", "logs"))
+SCRIPTS = "workflow/scripts"
+PACKAGE = sorted(glob("workflow/study/*.py"))  # every analysis depends on it
+
+
+wildcard_constraints:
+    run="[0-9a-f]{12}",
+
+
+include: "workflow/rules/build.smk"
+include: "workflow/rules/runs.smk"
+include: "workflow/rules/flow.smk"
+include: "workflow/rules/stretching.smk"
+include: "workflow/rules/passages.smk"
+include: "workflow/rules/figures.smk"
+include: "workflow/rules/claims.smk"
+
+
+rule all:
+    default_target: True
+    input:
+        FLOW_TABLES,
+        STRETCHING_TABLES,
+        PASSAGE_TABLES,
+        FIGURE_FILES,
+        CLAIM_FILES,

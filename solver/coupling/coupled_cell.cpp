@@ -1,0 +1,80 @@
+#include "coupling/coupled_cell.hpp"
+
+#include <cmath>
+
+#include "membrane/regularisation.hpp"
+
+namespace dld {
+
+template <class Real>
+CoupledCell<Real>::CoupledCell(Lattice<Real>& lattice, Membrane& membrane, const PillarArray& pillars,
+                               CouplingModel model, Eigen::MatrixX3d positions)
+    : lattice_(lattice),
+      membrane_(membrane),
+      pillars_(pillars),
+      model_(model),
+      boundary_(lattice, model.kernel,
+                coupled_nodes(membrane.reference().vertices, lattice.cell().height == HeightBoundary::mirror_and_wall)),
+      viscosity_(lattice, membrane.reference().faces, model.tau_outside, model.tau_inside, model.smoothed_viscosity),
+      positions_(std::move(positions)),
+      velocities_(Eigen::MatrixX3d::Zero(positions_.rows(), 3)),
+      forces_(Eigen::MatrixX3d::Zero(positions_.rows(), 3)),
+      gradient_(Eigen::MatrixX3d::Zero(positions_.rows(), 3)),
+      near_solid_(static_cast<std::size_t>(positions_.rows()), 0) {
+  model_.mobility = stable_mobility(membrane_, model_.mobility);
+  viscosity_.update(positions_);
+}
+
+template <class Real>
+void CoupledCell<Real>::step() {
+  membrane_.forces(positions_, forces_);
+  if (external_forces.rows() == forces_.rows()) forces_ += external_forces;
+  add_repulsion();
+  if (steps_ % model_.viscosity_update_interval == 0) viscosity_.update(positions_);
+  boundary_.locate(positions_, near_solid_);
+  boundary_.spread(forces_);
+  lattice_.step(boundary_.active());
+  boundary_.interpolate(velocities_);
+  boundary_.clear_force();
+  if (model_.mobility > 0.0) force_difference_velocity(membrane_, forces_, model_.mobility, velocities_);
+  if (model_.project_volume) project_volume();
+  positions_ += velocities_;
+  ++steps_;
+}
+
+template <class Real>
+void CoupledCell<Real>::add_repulsion() {
+  constexpr double kernel_reach = 3.5;  // lattice spacings: widest kernel across a cell diagonal
+  film_ = 1e300;
+  if (!pillars_.empty()) {
+    for (Eigen::Index i = 0; i < positions_.rows(); ++i) {
+      const double h = pillars_.signed_distance(positions_(i, 0), positions_(i, 1));
+      film_ = std::min(film_, h);
+      near_solid_[static_cast<std::size_t>(i)] = h < kernel_reach ? 1 : 0;
+      const double f = model_.pillar_repulsion.force(h);
+      if (f == 0.0) continue;
+      const auto normal = pillars_.normal(positions_(i, 0), positions_(i, 1));
+      forces_(i, 0) += f * normal[0];
+      forces_(i, 1) += f * normal[1];
+    }
+  }
+  if (model_.wall_height > 0.0 && model_.wall_repulsion.strength > 0.0) {
+    for (Eigen::Index i = 0; i < positions_.rows(); ++i) {
+      const double z = positions_(i, 2);
+      forces_(i, 2) -= std::copysign(model_.wall_repulsion.force(model_.wall_height - std::abs(z)), z);
+    }
+  }
+}
+
+template <class Real>
+void CoupledCell<Real>::project_volume() {
+  membrane_.volume_gradient(positions_, gradient_);
+  const double excess = membrane_.volume(positions_) - membrane_.reference_volume();
+  const double rate = gradient_.cwiseProduct(velocities_).sum() + excess / model_.volume_relaxation_steps;
+  velocities_ -= rate / gradient_.squaredNorm() * gradient_;
+}
+
+template class CoupledCell<float>;
+template class CoupledCell<double>;
+
+}  // namespace dld

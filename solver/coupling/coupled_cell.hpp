@@ -1,0 +1,83 @@
+#pragma once
+/// One deformable cell in the fluid: membrane forces, spreading, fluid step, interpolation, motion.
+///
+///   F(x)    = sum_i f_i(X) delta(x - X_i)          spread the nodal forces
+///   dX_i/dt = sum_x u(x) delta(x - X_i) + v_i      move with the fluid; v_i cures sub-grid mesh modes
+///   g . dX/dt = -(V - V0) / T                      volume held by projection (g = dV/dX), or by a penalty
+///
+/// One step per fluid step, explicit.
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "coupling/immersed_boundary.hpp"
+#include "coupling/repulsion.hpp"
+#include "coupling/viscosity_field.hpp"
+#include "fluid/lattice.hpp"
+#include "geometry/pillar_array.hpp"
+#include "membrane/membrane.hpp"
+
+namespace dld {
+
+struct CouplingModel {
+  Kernel kernel = Kernel::phi4;
+  double mobility = 0.0;  ///< wanted for the sub-grid regularisation, velocity / force (see stable_mobility); 0: off
+  bool project_volume = true;
+  double volume_relaxation_steps = 50.0;  ///< T
+  Repulsion pillar_repulsion, wall_repulsion;
+  double wall_height = 0.0;  ///< walls at z = +- wall_height; 0: no repulsion from walls
+  double tau_outside = 1.0, tau_inside = 1.0;
+  bool smoothed_viscosity = false;
+  int viscosity_update_interval = 1;
+};
+
+template <class Real>
+class CoupledCell {
+ public:
+  /// positions (nv x 3): physical lattice coordinates; may leave the unit cell (they are never wrapped).
+  CoupledCell(Lattice<Real>& lattice, Membrane& membrane, const PillarArray& pillars, CouplingModel model,
+              Eigen::MatrixX3d positions);
+
+  /// One time step of cell and fluid.
+  void step();
+
+  const Eigen::MatrixX3d& positions() const { return positions_; }
+  const Eigen::MatrixX3d& velocities() const { return velocities_; }
+  const Eigen::MatrixX3d& forces() const { return forces_; }
+  /// Smallest distance of a node to a pillar in the last step.
+  double film() const { return film_; }
+  /// Mean of the node positions.
+  Eigen::RowVector3d centre() const { return positions_.colwise().mean(); }
+  /// Extra force on every node (nv x 3), e.g. of an optical tweezer; empty for none.
+  Eigen::MatrixX3d external_forces;
+
+  void restore(const Eigen::MatrixX3d& positions, long step) {
+    positions_ = positions;
+    steps_ = step;
+    viscosity_.update(positions_);
+  }
+  /// Mobility of the sub-grid regularisation that is in use.
+  double mobility() const { return model_.mobility; }
+  long odd_columns() const { return viscosity_.odd_columns(); }
+
+ private:
+  void add_repulsion();
+  void project_volume();
+
+  Lattice<Real>& lattice_;
+  Membrane& membrane_;
+  const PillarArray& pillars_;
+  CouplingModel model_;
+  ImmersedBoundary<Real> boundary_;
+  ViscosityField<Real> viscosity_;
+  Eigen::MatrixX3d positions_, velocities_, forces_, gradient_;
+  std::vector<std::uint8_t> near_solid_;
+  double film_ = 0.0;
+  long steps_ = 0;
+};
+
+extern template class CoupledCell<float>;
+extern template class CoupledCell<double>;
+
+}  // namespace dld

@@ -1,0 +1,74 @@
+#pragma once
+/// Immersed boundary (Peskin 2002): spreads nodal forces to the lattice and interpolates its velocity back.
+/// With the mirror plane one node of each mirror pair stands for both.
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "coupling/kernel.hpp"
+#include "fluid/lattice.hpp"
+
+namespace dld {
+
+/// A node that takes part in the coupling. With the mirror plane: its image below the plane (or itself, if
+/// it lies on the plane) and the share of its force that the upper half feels directly.
+struct CoupledNode {
+  int vertex = 0;
+  int mirror_vertex = -1;  ///< -1: no mirror; == vertex: on the mirror plane
+};
+
+/// All vertices (full height), or those with z >= 0 paired with their mirror images (half height). Throws
+/// std::invalid_argument when the vertices are not mirror-symmetric about z = 0.
+std::vector<CoupledNode> coupled_nodes(const Eigen::MatrixX3d& vertices, bool mirror);
+
+template <class Real>
+class ImmersedBoundary {
+ public:
+  ImmersedBoundary(Lattice<Real>& lattice, Kernel kernel, std::vector<CoupledNode> nodes);
+
+  /// Stencils for the positions x (nv x 3, physical lattice coordinates of the unit cell). Nodes with
+  /// near_solid set have their weights restricted to fluid nodes.
+  void locate(const Eigen::MatrixX3d& x, const std::vector<std::uint8_t>& near_solid);
+  /// Adds the forces f (nv x 3) to lattice.force; the total over fluid nodes equals the total over nodes.
+  void spread(const Eigen::MatrixX3d& f);
+  /// v (nv x 3) = lattice.velocity at the nodes, zero inside solids.
+  void interpolate(Eigen::MatrixX3d& v);
+  /// Sets lattice.force back to zero where spread() has written.
+  void clear_force();
+
+  const std::vector<ActiveRange>& active() const { return active_; }
+  const std::vector<CoupledNode>& nodes() const { return nodes_; }
+
+ private:
+  struct Stencil {
+    std::array<Real, 4> wx, wy, wz;
+    std::array<Real, 4> sign;           ///< -1 where the layer is a mirror image
+    std::array<std::uint32_t, 4> plane; ///< index of (x, first y, layer 0)
+    std::array<std::uint32_t, 4> layer; ///< offset of the layer
+    Real scale;                         ///< 1 / sum of the weights on fluid nodes
+    bool masked;
+  };
+
+  template <class Phi>
+  void locate_with(const Eigen::MatrixX3d& x, const std::vector<std::uint8_t>& near_solid);
+  template <class Phi>
+  Stencil stencil(double x, double y, double z, bool near_solid) const;
+  void mark_active(const Eigen::MatrixX3d& x);
+  /// Rows continue periodically into their padding, so that a stencil never wraps within a row.
+  void fold_force();
+  void extend_velocity();
+  template <class Function>
+  void for_wrapped_rows(Function&& row);
+
+  Lattice<Real>& lattice_;
+  Kernel kernel_;
+  std::vector<CoupledNode> nodes_;
+  std::vector<Stencil> stencils_;
+  std::vector<ActiveRange> active_;
+  int width_;
+};
+
+extern template class ImmersedBoundary<float>;
+extern template class ImmersedBoundary<double>;
+
+}  // namespace dld

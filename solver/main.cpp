@@ -1,0 +1,165 @@
+/// Command line of the solver.
+///
+///   dld run case.json out.h5 --summary summary.json    simulate; the same command resumes after Ctrl-C
+///   dld check case.json                                 resolved case, derived numbers, stability margins
+///   dld schema                                          JSON Schema of case files
+///
+/// Exit codes: 0 done, 2 bad parameters, 3 diverged, 4 input/output, 128 + signal when interrupted.
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+
+#include "output/checkpoint.hpp"
+#include "output/interrupt.hpp"
+#include "output/provenance.hpp"
+#include "parameters/limits.hpp"
+#include "parameters/reader.hpp"
+#include "parameters/report.hpp"
+#include "scene/registry.hpp"
+
+namespace {
+
+using namespace dld;
+using Json = nlohmann::ordered_json;
+
+enum ExitCode {
+  done = 0,
+  unexpected = 1,
+  bad_parameters = 2,
+  diverged = 3,
+  input_output = 4,
+  signal_base = 128
+};
+
+struct RunOptions {
+  std::string case_file, output_file, summary_file;
+  bool force = false, no_resume = false;
+  int threads = 1;
+};
+
+// Prints the violated margins; true if there are none.
+bool margins_hold(const Case& c, const std::string& file) {
+  bool hold = true;
+  for (const auto& margin : stability_margins(c)) {
+    if (margin.ok) continue;
+    hold = false;
+    std::cerr << file << ": " << margin.name << " = " << margin.value << " " << margin.unit
+              << ": allowed is below " << margin.limit << "; " << margin.advice << "\n";
+  }
+  return hold;
+}
+
+void write_root_attributes(Hdf5File& out, const Case& c, const Json& summary, int threads) {
+  out.attribute("/", "status", summary["status"].get<std::string>());
+  out.attribute("/", "scene", c.scene);
+  out.attribute("/", "provenance", provenance(threads).dump());
+  out.attribute("/", "case", echo(c).dump());
+  out.attribute("/", "lattice", lattice_numbers(c).dump());
+  out.attribute("/", "summary", summary.dump());
+}
+
+void write_summary(const std::filesystem::path& path, const Json& summary) {
+  if (path.empty()) return;
+  const std::filesystem::path part = path.string() + ".part";
+  std::ofstream file(part);
+  file << summary.dump(2) << "\n";
+  file.close();
+  if (!file) throw IoError("cannot write " + part.string());
+  std::filesystem::rename(part, path);
+}
+
+int run(const RunOptions& options) {
+  const Case c = read_case(options.case_file);
+  if (!margins_hold(c, options.case_file) && !options.force) {
+    std::cerr << options.case_file << ": not run because it is expected to diverge; --force runs it anyway\n";
+    return bad_parameters;
+  }
+  catch_interrupts();
+  Hdf5File out(options.output_file);
+  Progress progress;
+  RunContext context{.out = out,
+                     .progress = progress,
+                     .checkpoint = options.output_file + ".checkpoint",
+                     .resume = !options.no_resume,
+                     .threads = options.threads};
+  const Status status = find_scene(c.scene)(c, context);
+  if (status == Status::interrupted) {
+    std::cerr << "interrupted; the same command continues from " << context.checkpoint.string() << "\n";
+    return signal_base + interrupted();
+  }
+
+  Json summary = {{"scene", c.scene}, {"status", to_string(status)}};
+  summary.update(context.summary);
+  if (context.xdmf.flow) write_flow_points(out, *context.xdmf.flow);
+  write_root_attributes(out, c, summary, options.threads);
+  out.close();
+  write_xdmf(out.path(), context.xdmf);
+  write_summary(options.summary_file, summary);
+  std::filesystem::remove(context.checkpoint);
+  return status == Status::diverged ? diverged : done;
+}
+
+int check(const std::string& case_file) {
+  const Case c = read_case(case_file);
+  const Json report = {{"case", echo(c)},
+                       {"lattice", lattice_numbers(c)},
+                       {"dimensionless", dimensionless_numbers(c)},
+                       {"si", si_numbers(c)},
+                       {"memory_MiB", memory_MiB(c)},
+                       {"margins", margins_json(stability_margins(c))}};
+  std::cout << report.dump(2) << "\n";
+  return done;
+}
+
+int command_line(int argc, char** argv) {
+  CLI::App app{"One red blood cell in a deterministic lateral displacement array"};
+  app.set_version_flag("--version", [] { return provenance(1).dump(2); });
+  app.require_subcommand(1);
+
+  RunOptions options;
+  CLI::App* run_command = app.add_subcommand("run", "simulate a case");
+  run_command->add_option("case", options.case_file, "case file (JSON)")->required();
+  run_command->add_option("output", options.output_file, "output file (HDF5)")->required();
+  run_command->add_option("--summary", options.summary_file, "row of results (JSON)");
+  run_command->add_option("--threads", options.threads, "threads")
+      ->envname("OMP_NUM_THREADS")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  run_command->add_flag("--force", options.force, "run although a stability margin is violated");
+  run_command->add_flag("--no-resume", options.no_resume, "ignore a checkpoint");
+  std::string case_file;
+  CLI::App* check_command = app.add_subcommand("check", "print the resolved case and its derived numbers");
+  check_command->add_option("case", case_file, "case file (JSON)")->required();
+  CLI::App* schema_command = app.add_subcommand("schema", "print the JSON Schema of case files");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? done : bad_parameters;
+  }
+  if (run_command->parsed()) return run(options);
+  if (check_command->parsed()) return check(case_file);
+  if (schema_command->parsed()) std::cout << case_schema().dump(2) << "\n";
+  return done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return command_line(argc, argv);
+  } catch (const dld::CaseError& error) {
+    std::cerr << error.what() << "\n";
+    return bad_parameters;
+  } catch (const dld::IoError& error) {
+    std::cerr << error.what() << "\n";
+    return input_output;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << error.what() << "\n";
+    return input_output;
+  } catch (const std::exception& error) {
+    std::cerr << "unexpected failure: " << error.what() << "\n";
+    return unexpected;
+  }
+}

@@ -1,0 +1,87 @@
+#include "output/checkpoint.hpp"
+
+#include <span>
+
+#include "output/hdf5_file.hpp"
+
+namespace dld {
+namespace {
+
+const std::string arrays = "/arrays", texts = "/texts";
+
+void save_value(Hdf5File& file, const std::string& name, const Checkpoint::Value& value) {
+  std::visit(
+      [&](const auto& data) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(data)>, std::string>) {
+          file.attribute(texts, name, data);
+        } else {
+          file.write(arrays + "/" + name, data, "lu", "state of the run");
+        }
+      },
+      value);
+}
+
+Checkpoint::Value load_value(const Hdf5Reader& file, const std::string& dataset) {
+  switch (file.type(dataset)) {
+    case Hdf5Reader::Type::float64:
+      return file.read<double>(dataset);
+    case Hdf5Reader::Type::float32:
+      return file.read<float>(dataset);
+    default:
+      return file.read<std::int64_t>(dataset);
+  }
+}
+
+}  // namespace
+
+template <class T>
+const T& Checkpoint::get(const std::string& name) const {
+  const auto entry = values_.find(name);
+  const T* value = entry == values_.end() ? nullptr : std::get_if<T>(&entry->second);
+  if (!value)
+    throw IoError("the checkpoint holds no '" + name + "' of the expected type; start with --no-resume");
+  return *value;
+}
+
+template const std::vector<double>& Checkpoint::get(const std::string&) const;
+template const std::vector<float>& Checkpoint::get(const std::string&) const;
+template const std::vector<std::int64_t>& Checkpoint::get(const std::string&) const;
+template const std::string& Checkpoint::get(const std::string&) const;
+
+double Checkpoint::number(const std::string& name) const {
+  return get<std::vector<double>>(name).at(0);
+}
+
+std::int64_t Checkpoint::integer(const std::string& name) const {
+  return get<std::vector<std::int64_t>>(name).at(0);
+}
+
+void Checkpoint::save(const std::filesystem::path& path) const {
+  Hdf5File file(path);
+  file.set_compression(false);
+  file.attribute("/", "case", case_text_);
+  for (const auto& [name, value] : values_) save_value(file, name, value);
+  file.close();
+}
+
+std::optional<Checkpoint> Checkpoint::load(const std::filesystem::path& path, const std::string& case_text) {
+  if (!std::filesystem::exists(path)) return std::nullopt;
+  const Hdf5Reader file(path);
+  if (file.text_attribute("/", "case") != case_text) {
+    throw IoError(path.string() + " is the checkpoint of another case; remove it or start with --no-resume");
+  }
+  Checkpoint checkpoint(case_text);
+  if (file.exists(arrays)) {
+    for (const auto& name : file.members(arrays)) {
+      checkpoint.values_[name] = load_value(file, arrays + "/" + name);
+    }
+  }
+  if (file.exists(texts)) {
+    for (const auto& name : file.text_attributes(texts)) {
+      checkpoint.values_[name] = file.text_attribute(texts, name);
+    }
+  }
+  return checkpoint;
+}
+
+}  // namespace dld

@@ -1,0 +1,152 @@
+#include "parameters/consistency.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "parameters/text.hpp"
+
+namespace dld {
+namespace {
+
+// Lengths are decimal numbers in um; this much of a lattice spacing is rounding.
+constexpr double rounding = 1e-6;
+
+// Half the largest thickness of the red blood cell shape, in units of its radius.
+constexpr double half_thickness_ratio = 0.33;
+
+// A length that must be a multiple of `unit_um`, the spacing or twice the spacing.
+void check_multiple(const std::string& pointer, double length_um, double unit_um,
+                    const std::string& unit_name, bool zero_allowed, std::vector<Problem>& problems) {
+  const double n = std::round(length_um / unit_um);
+  const bool fits = std::abs(length_um / unit_um - n) < rounding && (zero_allowed || n >= 1);
+  if (fits) return;
+  const double nearest_um = std::max(zero_allowed ? 0.0 : 1.0, n) * unit_um;
+  problems.push_back({pointer, number_text(length_um),
+                      "a multiple of " + unit_name + " = " + number_text(unit_um) + " um",
+                      "use " + number_text(nearest_um) + ", or change /fluid/lattice_spacing_um"});
+}
+
+void check_depth(const Case& c, std::vector<Problem>& problems) {
+  const double dx = c.fluid.lattice_spacing_um;
+  const bool half = c.geometry.height == "half";
+  check_multiple("/geometry/depth_um", c.geometry.depth_um, half ? 2 * dx : dx,
+                 half ? "2 lattice spacings (half height)" : "the lattice spacing", false, problems);
+}
+
+void check_array(const Case& c, std::vector<Problem>& problems) {
+  const auto& g = c.geometry;
+  const double dx = c.fluid.lattice_spacing_um;
+  check_multiple("/geometry/pitch_um", g.pitch_um, dx, "the lattice spacing", false, problems);
+  check_multiple("/geometry/row_shift_um", g.row_shift_um, dx, "the lattice spacing", true, problems);
+  if (2 * g.pillar_radius_um >= g.pitch_um) {
+    problems.push_back(
+        {"/geometry/pillar_radius_um", number_text(g.pillar_radius_um),
+         "less than half the pitch of " + number_text(g.pitch_um) + " um",
+         "use at most " + number_text(g.pitch_um / 2 - dx) + " (a gap of two lattice spacings)"});
+  }
+  if (g.row_shift_um >= g.pitch_um) {
+    problems.push_back(
+        {"/geometry/row_shift_um", number_text(g.row_shift_um),
+         "less than the pitch of " + number_text(g.pitch_um) + " um",
+         "use " + number_text(std::fmod(g.row_shift_um, g.pitch_um)) + ", which is the same array"});
+  }
+}
+
+// Largest extent of the start shape from its centre along z (an upper bound).
+double half_extent_z_um(const CellParameters& cell) {
+  if (cell.shape == "sphere") return cell.radius_um;
+  const double tilt = cell.start.tilt_deg * std::numbers::pi / 180;
+  return cell.radius_um * (std::abs(std::sin(tilt)) + half_thickness_ratio * std::abs(std::cos(tilt)));
+}
+
+void check_start_height(const Case& c, std::vector<Problem>& problems) {
+  const auto& start = c.cell.start;
+  if (c.geometry.height == "half") {
+    for (const auto& [name, value] : {std::pair{"z_um", start.z_um}, std::pair{"tilt_deg", start.tilt_deg}}) {
+      if (value == 0) continue;
+      problems.push_back({std::string("/cell/start/") + name, number_text(value),
+                          "0 with half height (mirror plane)", "use 0, or \"full\" for /geometry/height"});
+    }
+    if (start.z_um != 0 || start.tilt_deg != 0) return;
+  }
+  const double room_um = c.geometry.depth_um / 2 - half_extent_z_um(c.cell);
+  if (room_um <= 0) {
+    problems.push_back(
+        {"/cell/radius_um", number_text(c.cell.radius_um),
+         "a cell that fits in the depth of " + number_text(c.geometry.depth_um) + " um at the start",
+         "use a smaller radius or tilt, or a larger /geometry/depth_um"});
+  } else if (std::abs(start.z_um) >= room_um) {
+    problems.push_back({"/cell/start/z_um", number_text(start.z_um),
+                        "less than " + number_text(room_um) + " in magnitude",
+                        "use " + number_text(std::copysign(std::floor(10 * room_um) / 10, start.z_um))});
+  }
+}
+
+// The undeformed cell must not cut a pillar where it starts. Circles about the pillars are a safe bound.
+void check_start_in_plane(const Case& c, std::vector<Problem>& problems) {
+  const auto& g = c.geometry;
+  const auto& start = c.cell.start;
+  if (g.pillar_shape == "none" || start.gap_position_um < 0 || 2 * g.pillar_radius_um >= g.pitch_um) return;
+  const double y_um = g.pillar_radius_um + start.gap_position_um;
+  const double column = std::round(start.x_um / g.pitch_um);
+  double nearest_um = g.pitch_um;
+  for (const double n : {column - 1, column, column + 1}) {
+    const double dy = std::remainder(y_um - n * g.row_shift_um, g.pitch_um);
+    nearest_um = std::min(nearest_um, std::hypot(start.x_um - n * g.pitch_um, dy));
+  }
+  const double room_um = nearest_um - g.pillar_radius_um - c.cell.radius_um;
+  if (room_um >= 0) return;
+  problems.push_back({"/cell/start/gap_position_um", number_text(start.gap_position_um),
+                      "a start at which the undeformed cell touches no pillar (it overlaps by " +
+                          number_text(-room_um) + " um)",
+                      "use " + number_text(g.pitch_um / 2 - g.pillar_radius_um) +
+                          " (the middle of the gap), or " + number_text(-g.pitch_um / 2) +
+                          " for /cell/start/x_um (between two rows)"});
+}
+
+void check_passage(const Case& c, std::vector<Problem>& problems) {
+  check_array(c, problems);
+  check_depth(c, problems);
+  check_start_height(c, problems);
+  check_start_in_plane(c, problems);
+  if (c.geometry.row_shift_um == 0 && c.stop.max_rows == 0) {
+    problems.push_back({"/stop/max_rows", "0", "a number of rows when the rows are not shifted",
+                        "use e.g. 10, or a row shift above 0"});
+  }
+}
+
+void check_streamlines(const Case& c, std::vector<Problem>& problems) {
+  check_array(c, problems);
+  check_depth(c, problems);
+}
+
+void check_channel(const Case& c, std::vector<Problem>& problems) {
+  check_depth(c, problems);
+  check_multiple("/channel/width_um", c.channel.width_um, c.fluid.lattice_spacing_um, "the lattice spacing",
+                 true, problems);
+}
+
+void check_shear(const Case& c, std::vector<Problem>& problems) {
+  check_multiple("/shear/box_um", c.shear.box_um, c.fluid.lattice_spacing_um, "the lattice spacing", false,
+                 problems);
+  if (2 * c.cell.radius_um >= c.shear.box_um) {
+    problems.push_back({"/cell/radius_um", number_text(c.cell.radius_um),
+                        "less than half the box of " + number_text(c.shear.box_um) + " um",
+                        "use at most " + number_text(c.shear.box_um / 4) + " for a quarter of the box"});
+  }
+}
+
+}  // namespace
+
+std::vector<Problem> inconsistencies(const Case& c) {
+  std::vector<Problem> problems;
+  if (c.scene == "passage") check_passage(c, problems);
+  if (c.scene == "streamlines") check_streamlines(c, problems);
+  if (c.scene == "channel") check_channel(c, problems);
+  if (c.scene == "shear") check_shear(c, problems);
+  return problems;
+}
+
+}  // namespace dld

@@ -1,0 +1,48 @@
+#pragma once
+/// The parameter table: one line per parameter, from which the strict reader, the resolved echo and the
+/// JSON Schema are all derived. Defaults come from the member initialisers of struct Case.
+#include <limits>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "parameters/case.hpp"
+
+namespace dld {
+
+/// Where a value goes in a Case; its alternative is the parameter's type.
+using Field = std::variant<double*, int*, long*, bool*, std::string*, std::vector<double>*>;
+
+/// Allowed values: an interval for numbers (and for the items of a list), names for texts.
+struct Allowed {
+  double minimum = -std::numeric_limits<double>::infinity();
+  double maximum = std::numeric_limits<double>::infinity();
+  bool open_minimum = false;  ///< the minimum itself is not allowed
+  std::vector<std::string> names = {};
+};
+
+struct Declaration {
+  std::string_view section;  ///< "cell/start", empty for the top level
+  std::string_view name;
+  Field (*field)(Case&);
+  Allowed allowed;
+  std::string_view unit;  ///< "1" for a dimensionless number, empty for texts and switches
+  std::string_view doc;
+
+  std::string pointer() const;  ///< JSON pointer, "/cell/start/x_um"
+};
+
+/// All parameters, in the order of struct Case. `scene` is the only required one.
+const std::vector<Declaration>& declarations();
+
+/// geometry/epsilon = d / lambda, the other way of giving row_shift_um: it has no member of its own.
+const Declaration& epsilon_declaration();
+
+/// Sections ("geometry", "cell", "cell/start", ...) in the order of the table.
+std::vector<std::string> sections();
+
+/// The allowed values in words: "between 0.5 and 100", "one of bgk, trt".
+std::string allowed_text(const Declaration& declaration);
+
+}  // namespace dld

@@ -1,0 +1,77 @@
+#include "parameters/limits.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "parameters/units.hpp"
+
+namespace dld {
+namespace {
+
+// Explicit coupling: nodal stiffness times sum phi^2 must stay below 2 to 4; the lower bound is taken.
+constexpr double stiffness_limit = 2.0;
+// Largest moduli (lu) that explicit coupling was seen to bear.
+constexpr double area_modulus_limit = 3.0, volume_modulus_limit = 1.2;
+// Speed (lu) at which compressibility, of order (u/cs)^2 = 3 %, is no longer small.
+constexpr double speed_limit = 0.1;
+constexpr double row_shift_limit = 0.5;
+
+// Largest value of sum phi^2 over the nodes of the 3D kernel: a node's own share in its velocity.
+double kernel_self_weight(const std::string& kernel) {
+  if (kernel == "phi4") return 0.053;
+  if (kernel == "phi3") return 0.125;
+  return 1.0;  // phi2 on a fluid node
+}
+
+// Mean edge of the icosahedral mesh (lu): 1.00 for r = 9.75 and frequency 10.
+double mean_edge(double radius, int frequency) {
+  return radius / 9.75 * 10.0 / frequency;
+}
+
+Margin below(const std::string& name, double value, double limit, const std::string& unit,
+             const std::string& advice) {
+  return {name, value, limit, unit, value < limit, advice};
+}
+
+// True moduli of the Skalak law at small strain: shear G = 4 kS/k, area K = G + 2 kalpha/3.
+void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>& margins) {
+  const double shear = 4 * l.shear_modulus / c.cell.skalak_denominator;
+  const double area = shear + 2 * l.local_area_modulus / 3;
+  const double weight = kernel_self_weight(c.coupling.kernel);
+  const double edge = mean_edge(l.cell_radius, c.cell.mesh_frequency);
+  const std::string softer = "reduce /fluid/force_density (at fixed Ca all moduli fall with it)";
+  margins.push_back(below("in-plane stiffness 2 sqrt3 (K/2 + G) sum phi^2",
+                          2 * std::numbers::sqrt3 * (area / 2 + shear) * weight, stiffness_limit, "lu",
+                          softer + " or /cell/local_area_modulus, or use a wider kernel"));
+  margins.push_back(below("bending stiffness 55 kB / edge^2 sum phi^2",
+                          55 * l.bending_modulus / (edge * edge) * weight, stiffness_limit, "lu",
+                          softer + " or /cell/mesh_frequency, or use a wider kernel"));
+  margins.push_back(
+      below("area modulus", area, area_modulus_limit, "lu", softer + " or /cell/local_area_modulus"));
+  if (c.cell.volume_control == "penalty") {
+    margins.push_back(below("volume modulus", l.volume_modulus, volume_modulus_limit, "lu",
+                            softer + " or /cell/volume_modulus, or use volume_control projection"));
+  }
+}
+
+}  // namespace
+
+std::vector<Margin> stability_margins(const Case& c) {
+  const bool passage = c.scene == "passage";
+  if (!passage && !(c.scene == "stretching" && c.stretching.method == "coupled")) return {};
+  const LatticeParameters l = to_lattice(c);
+  std::vector<Margin> margins;
+  membrane_margins(c, l, margins);
+  if (passage) {
+    // Twice the mean of an empty slit, f H^2 / (12 nu): between the pillars the flow is not faster.
+    margins.push_back(below("largest speed 2 f H^2 / (12 nu)",
+                            2 * l.force_density * l.depth * l.depth / (12 * l.viscosity), speed_limit, "lu",
+                            "reduce /fluid/force_density"));
+    margins.push_back(below("row shift / pitch", c.geometry.row_shift_um / c.geometry.pitch_um,
+                            row_shift_limit, "1",
+                            "mirror the array: a shift d is a shift pitch - d to the other side"));
+  }
+  return margins;
+}
+
+}  // namespace dld

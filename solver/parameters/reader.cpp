@@ -1,0 +1,212 @@
+#include "parameters/reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include "parameters/consistency.hpp"
+#include "parameters/declaration.hpp"
+#include "parameters/syntax.hpp"
+#include "parameters/text.hpp"
+
+namespace dld {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string problem_text(const std::string& file, const Problem& problem) {
+  std::string text = file + ": " + (problem.pointer.empty() ? "/" : problem.pointer);
+  if (!problem.value.empty()) text += " = " + problem.value;
+  if (!problem.allowed.empty()) text += ": allowed is " + problem.allowed;
+  if (!problem.advice.empty()) text += "; " + problem.advice;
+  return text;
+}
+
+std::string list_text(const std::string& file, const std::vector<Problem>& problems) {
+  std::string text;
+  for (const auto& problem : problems) text += (text.empty() ? "" : "\n") + problem_text(file, problem);
+  return text;
+}
+
+// A whole number, also when it is written 10.0 (as in JSON Schema).
+bool is_whole(const Json& value) {
+  return value.is_number_integer() ||
+         (value.is_number_float() && std::trunc(value.get<double>()) == value.get<double>());
+}
+
+bool in_range(double value, const Allowed& allowed) {
+  return value <= allowed.maximum &&
+         (allowed.open_minimum ? value > allowed.minimum : value >= allowed.minimum);
+}
+
+// The nearest allowed number, for the advice.
+std::string nearest(double value, const Allowed& allowed) {
+  if (value > allowed.maximum) return "use at most " + number_text(allowed.maximum);
+  return (allowed.open_minimum ? "use more than " : "use at least ") + number_text(allowed.minimum);
+}
+
+// Checks `value` against one declaration and, if it is right, stores it through the field.
+class Store {
+ public:
+  Store(const Declaration& declaration, const Json& value, std::vector<Problem>& problems)
+      : declaration_(declaration), value_(value), problems_(problems) {}
+
+  void operator()(double* field) const {
+    if (const auto number = checked_number("a number")) *field = *number;
+  }
+  void operator()(int* field) const {
+    if (const auto number = checked_number("a whole number")) *field = static_cast<int>(*number);
+  }
+  void operator()(long* field) const {
+    if (const auto number = checked_number("a whole number")) *field = static_cast<long>(*number);
+  }
+  void operator()(bool* field) const {
+    if (value_.is_boolean()) {
+      *field = value_.get<bool>();
+    } else {
+      complain("true or false", "write true or false without quotes");
+    }
+  }
+  void operator()(std::string* field) const {
+    const auto& names = declaration_.allowed.names;
+    if (value_.is_string() && std::ranges::find(names, value_.get<std::string>()) != names.end()) {
+      *field = value_.get<std::string>();
+    } else {
+      const std::string given = value_.is_string() ? value_.get<std::string>() : value_.dump();
+      complain(allowed_text(declaration_), "use " + Json(nearest_name(given, names)).dump());
+    }
+  }
+  void operator()(std::vector<double>* field) const {
+    const bool right =
+        value_.is_array() && !value_.empty() && std::ranges::all_of(value_, [&](const Json& item) {
+          return item.is_number() && in_range(item.get<double>(), declaration_.allowed);
+        });
+    if (right) {
+      *field = value_.get<std::vector<double>>();
+    } else {
+      complain("a list of numbers, each " + allowed_text(declaration_), "write e.g. [0, 20, 40]");
+    }
+  }
+
+  std::optional<double> checked_number(const std::string& kind) const {
+    const bool right_kind = kind == "a whole number" ? is_whole(value_) : value_.is_number();
+    const std::string range = allowed_text(declaration_);
+    const std::string allowed = kind + (range == "any" ? "" : " " + range);
+    if (!right_kind) {
+      complain(allowed, "write " + kind + (value_.is_string() ? " without quotes" : ""));
+      return std::nullopt;
+    }
+    if (!in_range(value_.get<double>(), declaration_.allowed)) {
+      complain(allowed, nearest(value_.get<double>(), declaration_.allowed));
+      return std::nullopt;
+    }
+    return value_.get<double>();
+  }
+
+ private:
+  void complain(const std::string& allowed, const std::string& advice) const {
+    problems_.push_back({declaration_.pointer(), value_.dump(), allowed, advice});
+  }
+
+  const Declaration& declaration_;
+  const Json& value_;
+  std::vector<Problem>& problems_;
+};
+
+// Names that may stand in a section: parameters and sub-sections.
+std::vector<std::string> known_names(const std::string& section) {
+  std::vector<std::string> names;
+  for (const auto& declaration : declarations()) {
+    if (declaration.section == section) names.emplace_back(declaration.name);
+  }
+  if (section == "geometry") names.emplace_back(epsilon_declaration().name);
+  for (const auto& other : sections()) {
+    const auto slash = other.rfind('/');
+    const std::string parent = slash == std::string::npos ? "" : other.substr(0, slash);
+    if (parent == section) names.push_back(slash == std::string::npos ? other : other.substr(slash + 1));
+  }
+  return names;
+}
+
+// If the name belongs elsewhere, where; else the name that looks most like it.
+std::string unknown_name_advice(const std::string& name, const std::vector<std::string>& known) {
+  for (const auto& declaration : declarations()) {
+    if (declaration.name == name) return "it belongs at " + declaration.pointer();
+  }
+  return "did you mean \"" + nearest_name(name, known) + "\"?";
+}
+
+// The object of a section; nullptr if it is absent. Reports unknown names in it.
+const Json* section_object(const Json& root, const std::string& section, std::vector<Problem>& problems) {
+  const nlohmann::json::json_pointer pointer(section.empty() ? "" : "/" + section);
+  if (!root.contains(pointer)) return nullptr;
+  const Json& object = root.at(pointer);
+  if (!object.is_object()) {
+    problems.push_back({pointer.to_string(), object.dump(), "an object", "write { ... }"});
+    return nullptr;
+  }
+  const auto known = known_names(section);
+  for (const auto& [name, value] : object.items()) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    problems.push_back({pointer.to_string() + "/" + name, value.dump(), "one of the names " + joined(known),
+                        unknown_name_advice(name, known)});
+  }
+  return &object;
+}
+
+// epsilon is the other way of giving the row shift.
+std::optional<double> read_epsilon(const Json& geometry, std::vector<Problem>& problems) {
+  if (!geometry.contains("epsilon")) return std::nullopt;
+  if (geometry.contains("row_shift_um")) {
+    problems.push_back({"/geometry/epsilon", geometry["epsilon"].dump(), "either epsilon or row_shift_um",
+                        "remove one of the two"});
+  }
+  return Store(epsilon_declaration(), geometry["epsilon"], problems).checked_number("a number");
+}
+
+}  // namespace
+
+CaseError::CaseError(const std::string& file, std::vector<Problem> list)
+    : std::runtime_error(list_text(file, list)), problems(std::move(list)) {}
+
+Case parse_case(const std::string& text, const std::string& name) {
+  std::vector<Problem> problems;
+  const Json root = parse_json(text, problems);
+  if (!problems.empty()) throw CaseError(name, problems);
+
+  Case c;
+  std::optional<double> epsilon;
+  if (root.is_object() && !root.contains("scene")) {
+    problems.push_back({"/scene", "", "one of the scenes; it is required", "add \"scene\": \"passage\""});
+  }
+  std::vector<std::string> all_sections = sections();
+  all_sections.insert(all_sections.begin(), "");
+  for (const auto& section : all_sections) {
+    const Json* object = section_object(root, section, problems);
+    if (!object) continue;
+    for (const auto& declaration : declarations()) {
+      if (declaration.section != section || !object->contains(declaration.name)) continue;
+      std::visit(Store(declaration, object->at(std::string(declaration.name)), problems),
+                 declaration.field(c));
+    }
+    if (section == "geometry") epsilon = read_epsilon(*object, problems);
+  }
+  if (!problems.empty()) throw CaseError(name, problems);
+
+  if (epsilon) c.geometry.row_shift_um = *epsilon * c.geometry.pitch_um;
+  problems = inconsistencies(c);
+  if (!problems.empty()) throw CaseError(name, problems);
+  return c;
+}
+
+Case read_case(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) throw CaseError(path.string(), {{"", "", "a readable file", "check the path"}});
+  return parse_case(text.str(), path.string());
+}
+
+}  // namespace dld

@@ -1,0 +1,25 @@
+#pragma once
+/// The derived numbers of a case, as they go into the output and into `dld check`.
+#include <nlohmann/json.hpp>
+
+#include "parameters/case.hpp"
+#include "parameters/limits.hpp"
+#include "parameters/units.hpp"
+
+namespace dld {
+
+/// All members of LatticeParameters by name.
+nlohmann::ordered_json lattice_numbers(const Case& c);
+
+/// epsilon, Ca, the moduli in units of kS, confinement, Re of the empty slit, mesh edge / dx.
+nlohmann::ordered_json dimensionless_numbers(const Case& c);
+
+/// SI numbers for water-like fluid (1 mPa s) and a healthy cell (5.3 uN/m).
+nlohmann::ordered_json si_numbers(const Case& c);
+
+/// Estimate of the memory of the fields, MiB.
+double memory_MiB(const Case& c);
+
+nlohmann::ordered_json margins_json(const std::vector<Margin>& margins);
+
+}  // namespace dld

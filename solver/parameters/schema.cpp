@@ -1,0 +1,99 @@
+/// What follows from the parameter table besides reading: the resolved echo and the JSON Schema.
+#include <cmath>
+
+#include "parameters/declaration.hpp"
+#include "parameters/reader.hpp"
+
+namespace dld {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json type_of(const Field& field) {
+  static const Json types = {"number", "integer", "integer", "boolean", "string", "array"};
+  return types.at(field.index());
+}
+
+// A limit as the schema should show it: whole numbers without a fraction.
+Json limit(double value) {
+  if (std::trunc(value) == value && std::abs(value) < 1e15) return static_cast<std::int64_t>(value);
+  return value;
+}
+
+void add_limits(Json& schema, const Allowed& allowed) {
+  if (!allowed.names.empty()) schema["enum"] = allowed.names;
+  if (std::isfinite(allowed.minimum)) {
+    schema[allowed.open_minimum ? "exclusiveMinimum" : "minimum"] = limit(allowed.minimum);
+  }
+  if (std::isfinite(allowed.maximum)) schema["maximum"] = limit(allowed.maximum);
+}
+
+Json property(const Declaration& declaration, Case& defaults) {
+  const std::string unit = declaration.unit.empty() ? "" : " [" + std::string(declaration.unit) + "]";
+  Json schema = {{"description", std::string(declaration.doc) + unit}};
+  if (!declaration.field) {
+    schema["type"] = "number";
+    add_limits(schema, declaration.allowed);
+    return schema;
+  }
+  const Field field = declaration.field(defaults);
+  schema["type"] = type_of(field);
+  if (schema["type"] == "array") {
+    schema["items"] = {{"type", "number"}};
+    add_limits(schema["items"], declaration.allowed);
+    schema["minItems"] = 1;
+  } else {
+    add_limits(schema, declaration.allowed);
+  }
+  if (declaration.name != "scene") {
+    schema["default"] = std::visit([](const auto* value) { return Json(*value); }, field);
+  }
+  return schema;
+}
+
+// The object schema of a section within the schema of the whole, made on first use.
+Json& section_schema(Json& root, std::string_view section) {
+  Json* schema = &root;
+  while (!section.empty()) {
+    const auto slash = section.find('/');
+    Json& child = (*schema)["properties"][std::string(section.substr(0, slash))];
+    if (child.is_null())
+      child = {{"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}};
+    schema = &child;
+    section = slash == std::string_view::npos ? std::string_view{} : section.substr(slash + 1);
+  }
+  return *schema;
+}
+
+}  // namespace
+
+Json echo(const Case& c) {
+  Case copy = c;  // the fields of the table are not const
+  Json tree;
+  for (const auto& declaration : declarations()) {
+    std::visit([&](const auto* value) { tree[Json::json_pointer(declaration.pointer())] = *value; },
+               declaration.field(copy));
+  }
+  return tree;
+}
+
+Json case_schema() {
+  Case defaults;
+  Json root = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+               {"$id", "urn:dld:schema:case"},
+               {"title", "One run of the solver dld"},
+               {"type", "object"},
+               {"required", {"scene"}},
+               {"additionalProperties", false},
+               {"properties", Json::object()}};
+  for (const auto& declaration : declarations()) {
+    section_schema(root, declaration.section)["properties"][std::string(declaration.name)] =
+        property(declaration, defaults);
+  }
+  Json& geometry = section_schema(root, "geometry");
+  geometry["properties"]["epsilon"] = property(epsilon_declaration(), defaults);
+  geometry["not"] = {{"required", {"epsilon", "row_shift_um"}}};
+  return root;
+}
+
+}  // namespace dld

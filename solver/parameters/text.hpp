@@ -1,0 +1,47 @@
+#pragma once
+/// Numbers and names in messages.
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace dld {
+
+/// A number with as few digits as it needs, ten at most.
+inline std::string number_text(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.10g", value);
+  return digits;
+}
+
+/// "a, b, c"
+inline std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/// Number of insertions, deletions and replacements that turn `a` into `b` (Levenshtein distance).
+inline std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// The known name that looks most like a misspelt one: the first of the nearest `names`, which must not be
+/// empty.
+inline std::string nearest_name(const std::string& name, const std::vector<std::string>& names) {
+  return *std::ranges::min_element(names, {}, [&](const std::string& n) { return edit_distance(name, n); });
+}
+
+}  // namespace dld

@@ -1,0 +1,408 @@
+/// Scene `passage`: one deformable cell through the periodic, row-shifted array until its class is known.
+///
+///   fluid     D3Q19 lattice Boltzmann, driven by a force density along x, viscosity nu outside the cell and
+///             viscosity_ratio * nu inside
+///   membrane  Skalak, bending, area, volume; coupled by the immersed-boundary method
+///   class     from the return map at the pillar lines x = n lambda: displaced, zigzag or undecided
+///
+/// 1 steady flow without the cell   2 start near the separation streamline   3 pass pillar lines until the
+/// return map has proved the class   4 D_perp at the defining crossing
+///
+/// Try: dld run params/cases/passage.json /tmp/passage.h5
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "coupling/coupled_cell.hpp"
+#include "measure/cross_section.hpp"
+#include "measure/streamlines.hpp"
+#include "parameters/reader.hpp"
+#include "scene/flow_output.hpp"
+#include "scene/monitor.hpp"
+#include "scene/passage_record.hpp"
+#include "scene/registry.hpp"
+#include "scene/setup.hpp"
+#include "scene/steady_flow.hpp"
+
+namespace dld {
+namespace {
+
+/// Largest excursions over the whole run.
+struct Extremes {
+  double area_change = 0, volume_change = 0, local_area_strain = 0, min_face_ratio = 1, film = 1e300, speed = 0,
+         density_variation = 0;
+};
+
+template <class Real>
+class PassageRun {
+ public:
+  PassageRun(const Case& c, RunContext& context)
+      : case_(c),
+        context_(context),
+        l_(to_lattice(c)),
+        pillars_(make_pillar_array(c)),
+        lattice_(make_unit_cell(c, pillars_), make_fluid_model(c)),
+        membrane_(make_cell(c.cell.shape, c.cell.mesh_frequency, l_.cell_radius), make_moduli(c)),
+        lateral_(c.fluid.lateral_flow == "blocked", l_),
+        map_(map_options(c)),
+        pillar_top_(surface_above_centre()) {
+    lattice_.set_uniform_force(l_.force_density, 0.0, 0.0);
+  }
+
+  Status run() {
+    const SteadyState steady =
+        run_to_steady_state(lattice_, lateral_, std::max(1e-6, case_.stop.steady_tolerance), case_.stop.max_steps,
+                            context_.progress);
+    if (steady.status == Status::interrupted) return steady.status;
+    flow_steps_ = steady.steps;
+    mean_velocity_ = steady.flow.velocity[0];
+    if (steady.status == Status::diverged) {
+      failure_ = Failure{"speed", "fluid", "lower /fluid/force_density", steady.flow.max_speed};
+      return finish(Status::diverged);
+    }
+    cell_.emplace(lattice_, membrane_, pillars_, make_coupling_model(case_), start_positions());
+    sample_interval_ = std::max(2, 2 * static_cast<int>(0.1 / mean_velocity_));
+    resume();
+    context_.progress.start("passage", map_.last_row() + 1.5);
+    const Status status = advance();
+    context_.progress.finish(to_string(status));
+    return status == Status::interrupted ? status : finish(status);
+  }
+
+ private:
+  static ReturnMapOptions map_options(const Case& c) {
+    ReturnMapOptions options;
+    options.epsilon = c.geometry.row_shift_um / c.geometry.pitch_um;
+    options.tolerance = c.stop.map_tolerance_um / c.fluid.lattice_spacing_um;
+    options.max_rows = c.stop.max_rows;
+    return options;
+  }
+
+  /// Height of the pillar's surface above its centre on the pillar line.
+  double surface_above_centre() const {
+    if (pillars_.empty()) return 0.0;
+    double inside = 0.0, outside = 0.5 * l_.ny;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = 0.5 * (inside + outside);
+      (pillars_.signed_distance(0.0, middle) < 0.0 ? inside : outside) = middle;
+    }
+    return outside;
+  }
+
+  /// Reference shape, turned and moved to where the case wants it: by default half a pitch before the first
+  /// pillar line with the lower edge on the separation streamline, which saves several pillars.
+  Eigen::MatrixX3d start_positions() const {
+    const StartParameters& start = case_.cell.start;
+    Eigen::RowVector3d centre(start.x_um / l_.um_per_lu, 0.0, start.z_um / l_.um_per_lu);
+    if (start.gap_position_um >= 0.0) {
+      centre.y() = pillar_top_ + start.gap_position_um / l_.um_per_lu;
+    } else {
+      centre.y() = pillar_top_ + 0.5 * l_.gap;
+      const PlaneField field =
+          mid_plane(lattice_, [this](double x, double y) { return pillars_.signed_distance(x, y); });
+      const PlaneFlow flow = field.flow();
+      const Separation separation = separation_downstream(flow);
+      if (separation.found) {
+        const Streamline upstream = trace_streamline(flow, separation.seed, -1, centre.x());
+        if (upstream.end == StreamlineEnd::line) {
+          centre.y() = upstream.points(upstream.points.rows() - 1, 1) + l_.cell_radius;
+        }
+      }
+    }
+    const double tilt = start.tilt_deg * std::numbers::pi / 180.0;
+    Eigen::Matrix3d turn;
+    turn << std::cos(tilt), 0, -std::sin(tilt), 0, 1, 0, std::sin(tilt), 0, std::cos(tilt);
+    Eigen::MatrixX3d x = membrane_.reference().vertices * turn;
+    x.rowwise() += centre;
+    return x;
+  }
+
+  Status advance() {
+    while (true) {
+      if (steps_ >= case_.stop.max_steps) return Status::undecided;
+      cell_->step();
+      ++steps_;
+      if (steps_ % sample_interval_ == 0) {
+        sample();
+        if (failure_) return Status::diverged;
+        if (decided_ && extent_done_) return decided_status();
+        if (interrupted() != 0) return Status::interrupted;
+      }
+      if (steps_ % 1000 == 0) hold_density();
+      if (lateral_.blocked() && steps_ % LateralFlow::interval == 0) {
+        lateral_.update(lattice_, lattice_.statistics().velocity[1]);
+      }
+    }
+  }
+
+  Status decided_status() const {
+    switch (map_.trajectory_class()) {
+      case TrajectoryClass::displaced: return Status::displaced;
+      case TrajectoryClass::zigzag: return Status::zigzag;
+      default: return Status::undecided;
+    }
+  }
+
+  void hold_density() {
+    const FlowStatistics flow = lattice_.statistics();
+    lattice_.shift_density(-flow.mean_density_deviation);
+    extremes_.density_variation =
+        std::max(extremes_.density_variation, flow.max_density_deviation - flow.min_density_deviation);
+    if (!(flow.max_speed < 0.5)) failure_ = Failure{"speed", "fluid", "lower /fluid/force_density", flow.max_speed};
+  }
+
+  /// Measures cell and membrane, follows the passage of the current pillar line.
+  void sample() {
+    const Eigen::MatrixX3d& x = cell_->positions();
+    const MembraneState state = membrane_.measure(x);
+    const double speed = cell_->velocities().rowwise().norm().maxCoeff();
+    failure_ = check_membrane(state, membrane_, speed, cell_->film());
+    extremes_.area_change = std::max(extremes_.area_change, std::abs(state.area / membrane_.reference_area() - 1.0));
+    extremes_.volume_change =
+        std::max(extremes_.volume_change, std::abs(state.volume / membrane_.reference_volume() - 1.0));
+    extremes_.local_area_strain = std::max(extremes_.local_area_strain, state.max_local_area_strain);
+    extremes_.min_face_ratio = std::min(extremes_.min_face_ratio, state.min_face_ratio);
+    extremes_.film = std::min(extremes_.film, cell_->film());
+    extremes_.speed = std::max(extremes_.speed, speed);
+    if (failure_) return;
+
+    const Eigen::Vector3d centre = cell_->centre().transpose();
+    record_trajectory(x, centre, state);
+    extent_.update(x, membrane_.reference().faces, centre, cell_->film(), steps_);
+    if (extent_.centre_passed() && !crossing_added_) {
+      const TrajectoryClass now = map_.add(
+          crossing_at(extent_.y_at_centre(), row_, l_.ny, l_.row_shift, pillar_top_));
+      crossing_added_ = true;
+      decided_ = now != TrajectoryClass::running;
+    }
+    if (extent_.passed()) finish_row(state);
+    if (context_.progress.due()) {
+      char text[80];
+      std::snprintf(text, sizeof text, "row %d, step %ld, centre %.2f um above the pillar", row_, steps_,
+                    map_.crossings().empty() ? NAN : map_.crossings().back().gap_position * l_.um_per_lu);
+      context_.progress.update(centre.x() / l_.nx + 0.5, text);
+    }
+  }
+
+  void record_trajectory(const Eigen::MatrixX3d& x, const Eigen::Vector3d& centre, const MembraneState& state) {
+    const double spacing = static_cast<double>(l_.nx) / case_.output.trajectory_samples_per_row;
+    const double moved = std::hypot(centre.x() - last_recorded_.x(), centre.y() - last_recorded_.y());
+    if (trajectory_.size() > 0 && moved < spacing) return;
+    last_recorded_ = centre;
+    const Eigen::RowVector3d extent = x.colwise().maxCoeff() - x.colwise().minCoeff();
+    const double um = l_.um_per_lu;
+    trajectory_.append({static_cast<double>(steps_), centre.x() * um, centre.y() * um, centre.z() * um,
+                        extent.x() * um, extent.y() * um, extent.z() * um,
+                        state.area / membrane_.reference_area() - 1.0,
+                        state.volume / membrane_.reference_volume() - 1.0, state.min_face_ratio,
+                        cell_->film() * um});
+    const int per_row = case_.output.snapshots_per_row;
+    if (per_row == 0) return;
+    const auto index = static_cast<long>(std::floor(centre.x() * per_row / l_.nx));
+    if (index > last_snapshot_ || snapshots_.empty()) {
+      last_snapshot_ = index;
+      keep_snapshot("snapshot", x, steps_);
+    }
+  }
+
+  void keep_snapshot(const char* kind, const Eigen::MatrixX3d& vertices, long step) {
+    const auto count = std::count_if(snapshots_.begin(), snapshots_.end(), [&](const MembraneSnapshot& s) {
+      return s.name.starts_with(kind);
+    });
+    char name[40];
+    std::snprintf(name, sizeof name, "%s_%03d", kind, static_cast<int>(count));
+    snapshots_.push_back({name, row_, step, vertices});
+  }
+
+  /// The cell is past the pillar line: one row of results, then the next line.
+  void finish_row(const MembraneState& state) {
+    const Crossing& crossing = map_.crossings().back();
+    const double um = l_.um_per_lu;
+    const double previous = crossings_.size() > 0 ? crossings_.column("step").back() : NAN;
+    crossings_.append({static_cast<double>(row_), extent_.step_at_centre(), extent_.y_at_centre() * um,
+                       crossing.gap_position * um, static_cast<double>(crossing.lane), crossing.bump ? 1.0 : 0.0,
+                       extent_.max_width() * um, extent_.width_at_centre() * um, extent_.min_film() * um,
+                       state.min_face_ratio, extent_.height_at_max() * um,
+                       l_.nx * um / (extent_.step_at_centre() - previous)});
+    keep_snapshot("crossing", extent_.vertices_at_max(), extent_.step_at_max());
+    extent_done_ = decided_;
+    if (decided_) return;
+    ++row_;
+    extent_ = PassageExtent(static_cast<double>(row_) * l_.nx);
+    crossing_added_ = false;
+    save_checkpoint();
+  }
+
+  /// Between two pillar lines nothing is half measured: the state is the fluid, the cell and the tables.
+  void save_checkpoint() const {
+    Checkpoint checkpoint(echo(case_).dump());
+    checkpoint.set("populations", lattice_.populations());
+    checkpoint.set("uniform_force", std::vector<double>{lattice_.uniform_force()[0], lattice_.uniform_force()[1]});
+    const Eigen::MatrixX3d& x = cell_->positions();
+    checkpoint.set("positions", std::vector<double>(x.data(), x.data() + x.size()));
+    checkpoint.set("steps", static_cast<std::int64_t>(steps_));
+    checkpoint.set("row", static_cast<std::int64_t>(row_));
+    checkpoint.set("last_snapshot", static_cast<std::int64_t>(last_snapshot_));
+    checkpoint.set("last_recorded", std::vector<double>(last_recorded_.data(), last_recorded_.data() + 3));
+    checkpoint.set("extremes", std::vector<double>{extremes_.area_change, extremes_.volume_change,
+                                                   extremes_.local_area_strain, extremes_.min_face_ratio,
+                                                   extremes_.film, extremes_.speed, extremes_.density_variation});
+    trajectory_.save(checkpoint, "trajectory_");
+    crossings_.save(checkpoint, "crossings_");
+    checkpoint.set("snapshots", static_cast<std::int64_t>(snapshots_.size()));
+    for (std::size_t k = 0; k < snapshots_.size(); ++k) {
+      const MembraneSnapshot& s = snapshots_[k];
+      const std::string name = "snapshot_" + std::to_string(k);
+      checkpoint.set(name + "_name", s.name);
+      checkpoint.set(name + "_place", std::vector<std::int64_t>{s.row, s.step});
+      checkpoint.set(name + "_vertices", std::vector<double>(s.vertices.data(), s.vertices.data() + s.vertices.size()));
+    }
+    checkpoint.save(context_.checkpoint);
+  }
+
+  void resume() {
+    if (!context_.resume) return;
+    const auto checkpoint = Checkpoint::load(context_.checkpoint, echo(case_).dump());
+    if (!checkpoint) return;
+    lattice_.populations() = checkpoint->get<std::vector<Real>>("populations");
+    const auto& force = checkpoint->get<std::vector<double>>("uniform_force");
+    lattice_.set_uniform_force(force[0], force[1], 0.0);
+    steps_ = checkpoint->integer("steps");
+    row_ = static_cast<int>(checkpoint->integer("row"));
+    last_snapshot_ = checkpoint->integer("last_snapshot");
+    const auto matrix = [](const std::vector<double>& values) {
+      return Eigen::MatrixX3d(
+          Eigen::Map<const Eigen::MatrixX3d>(values.data(), static_cast<Eigen::Index>(values.size()) / 3, 3));
+    };
+    cell_->restore(matrix(checkpoint->get<std::vector<double>>("positions")), steps_);
+    last_recorded_ = matrix(checkpoint->get<std::vector<double>>("last_recorded")).row(0).transpose();
+    const auto& e = checkpoint->get<std::vector<double>>("extremes");
+    extremes_ = {e[0], e[1], e[2], e[3], e[4], e[5], e[6]};
+    trajectory_.load(*checkpoint, "trajectory_");
+    crossings_.load(*checkpoint, "crossings_");
+    const auto& y = crossings_.column("y_um");
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      map_.add(crossing_at(y[k] / l_.um_per_lu, static_cast<int>(k), l_.ny, l_.row_shift, pillar_top_));
+    }
+    for (std::int64_t k = 0; k < checkpoint->integer("snapshots"); ++k) {
+      const std::string name = "snapshot_" + std::to_string(k);
+      const auto& place = checkpoint->get<std::vector<std::int64_t>>(name + "_place");
+      snapshots_.push_back({checkpoint->get<std::string>(name + "_name"), static_cast<int>(place[0]), place[1],
+                            matrix(checkpoint->get<std::vector<double>>(name + "_vertices"))});
+    }
+    extent_ = PassageExtent(static_cast<double>(row_) * l_.nx);
+  }
+
+  Status finish(Status status) {
+    summarise(status);
+    const double um = l_.um_per_lu;
+    if (trajectory_.size() > 0) trajectory_.write(context_.out, "/trajectory");
+    if (crossings_.size() > 0) crossings_.write(context_.out, "/crossings");
+    context_.out.write_matrix("/membrane/faces", membrane_.reference().faces, "1", "vertices of each triangle");
+    const Eigen::MatrixX3d reference = membrane_.reference().vertices * um;
+    context_.out.write_matrix("/membrane/reference", reference, "um", "stress-free shape");
+    XdmfMesh mesh;
+    mesh.n_faces = static_cast<std::size_t>(membrane_.face_count());
+    mesh.n_vertices = static_cast<std::size_t>(membrane_.vertex_count());
+    for (const MembraneSnapshot& s : snapshots_) {
+      const std::string group = "/membrane/" + s.name;
+      const Eigen::MatrixX3d vertices = s.vertices * um;
+      context_.out.write_matrix(group + "/vertices", vertices, "um", "membrane nodes, not wrapped");
+      context_.out.attribute(group, "row", s.row);
+      context_.out.attribute(group, "step", static_cast<std::int64_t>(s.step));
+      mesh.snapshots.push_back({group + "/vertices", static_cast<double>(s.step)});
+    }
+    std::sort(mesh.snapshots.begin(), mesh.snapshots.end(),
+              [](const XdmfSnapshot& a, const XdmfSnapshot& b) { return a.time < b.time; });
+    context_.xdmf.mesh = mesh;
+    if (case_.output.flow_field && lattice_.even()) {
+      write_plane_flow(context_, mid_plane(lattice_, {}), um);
+    }
+    std::filesystem::remove(context_.checkpoint);
+    return status;
+  }
+
+  void summarise(Status status) const {
+    nlohmann::ordered_json& s = context_.summary;
+    const double um = l_.um_per_lu;
+    s["row_shift_um"] = case_.geometry.row_shift_um;
+    s["epsilon"] = case_.geometry.row_shift_um / case_.geometry.pitch_um;
+    s["dx_um"] = um;
+    s["capillary_number"] = case_.cell.capillary_number;
+    s["skalak_denominator"] = case_.cell.skalak_denominator;
+    s["lateral_flow"] = case_.fluid.lateral_flow;
+    s["class"] = to_string(status);
+    const int defining = map_.defining_crossing();
+    const bool known = defining >= 0 && static_cast<std::size_t>(defining) < crossings_.size();
+    const auto value = [&](const char* column) -> nlohmann::ordered_json {
+      if (!known) return nullptr;
+      return crossings_.column(column)[static_cast<std::size_t>(defining)];
+    };
+    s["defining_crossing"] = defining;
+    s["d_perp_um"] = value("d_perp_um");
+    s["d_perp_at_centre_um"] = value("d_perp_at_centre_um");
+    s["centre_um"] = value("gap_position_um");
+    s["film_um"] = value("film_um");
+    s["height_um"] = value("height_um");
+    s["speed_um_per_step"] = value("speed_um_per_step");
+    const MapBracket bracket = map_.bracket();
+    s["map_limit_um"] = bracket.limit * um;
+    s["map_ratio"] = bracket.ratio;
+    s["crossings"] = crossings_.size();
+    s["zigs"] = map_.zigs();
+    s["area_change"] = extremes_.area_change;
+    s["volume_change"] = extremes_.volume_change;
+    s["max_local_area_strain"] = extremes_.local_area_strain;
+    s["min_face_ratio"] = extremes_.min_face_ratio;
+    s["smallest_film_um"] = extremes_.film * um;
+    s["max_speed"] = extremes_.speed;
+    s["density_variation"] = extremes_.density_variation;
+    s["regularisation_mobility"] = cell_ ? cell_->mobility() : 0.0;
+    s["odd_columns"] = cell_ ? cell_->odd_columns() : 0;
+    s["steps"] = steps_ + flow_steps_;
+    s["node_updates"] = (steps_ + flow_steps_) * static_cast<long>(lattice_.fluid_nodes());
+    s["membrane_updates"] = steps_ * membrane_.vertex_count();
+    s["memory_bytes"] = lattice_.memory_bytes();
+    const SiScales si = to_si(case_);
+    s["si"] = {{"pressure_gradient_bar_per_m", si.pressure_gradient_Pa_per_m * 1e-5},
+               {"mean_velocity_mm_per_s", mean_velocity_ * si.velocity_m_per_s_per_lu * 1e3}};
+    if (failure_) {
+      s["failing_quantity"] = failure_->quantity;
+      s["failing_value"] = failure_->value;
+      s["failing_step"] = steps_;
+      s["failing_place"] = failure_->place;
+      s["advice"] = failure_->advice;
+    }
+  }
+
+  const Case& case_;
+  RunContext& context_;
+  LatticeParameters l_;
+  PillarArray pillars_;
+  Lattice<Real> lattice_;
+  Membrane membrane_;
+  LateralFlow lateral_;
+  std::optional<CoupledCell<Real>> cell_;
+  ReturnMap map_;
+  double pillar_top_;
+
+  ColumnTable trajectory_ = trajectory_table(), crossings_ = crossings_table();
+  std::vector<MembraneSnapshot> snapshots_;
+  PassageExtent extent_{0.0};
+  Extremes extremes_;
+  std::optional<Failure> failure_;
+  Eigen::Vector3d last_recorded_ = Eigen::Vector3d::Zero();
+  double mean_velocity_ = 0;
+  long steps_ = 0, flow_steps_ = 0, last_snapshot_ = -1000000;
+  int row_ = 0, sample_interval_ = 2;
+  bool crossing_added_ = false, decided_ = false, extent_done_ = false;
+};
+
+}  // namespace
+
+Status run_passage(const Case& c, RunContext& context) {
+  return with_precision(c, [&]<class Real>() { return PassageRun<Real>(c, context).run(); });
+}
+
+}  // namespace dld

@@ -1,0 +1,69 @@
+#include "scene/setup.hpp"
+
+namespace dld {
+
+PillarArray make_pillar_array(const Case& c) {
+  const LatticeParameters l = to_lattice(c);
+  return {make_pillar(c.geometry.pillar_shape, {l.pillar_radius}), static_cast<double>(l.nx),
+          static_cast<double>(l.ny), static_cast<double>(l.row_shift)};
+}
+
+UnitCell make_unit_cell(const Case& c, const PillarArray& pillars) {
+  const LatticeParameters l = to_lattice(c);
+  UnitCell cell;
+  cell.nx = l.nx;
+  cell.ny = l.ny;
+  cell.nz = l.nz;
+  cell.row_shift = l.row_shift;
+  cell.height = l.half_height ? HeightBoundary::mirror_and_wall : HeightBoundary::walls;
+  // The pillar's centre is on node (nx/2, ny/2), or half a spacing before it.
+  const double offset = c.geometry.pillar_center == "between_nodes" ? 0.5 : 0.0;
+  cell.origin_x = offset - l.nx / 2;
+  cell.origin_y = offset - l.ny / 2;
+  // The mid plane is z = 0; walls and the mirror plane lie half way between layers.
+  cell.origin_z = l.half_height ? 0.5 : 0.5 - 0.5 * l.nz;
+  cell.distance = [&pillars](double x, double y, double) { return pillars.signed_distance(x, y); };
+  mark_solid(cell, c.geometry.surface_nodes == "solid");
+  return cell;
+}
+
+FluidModel make_fluid_model(const Case& c) {
+  FluidModel model;
+  model.collision = c.fluid.collision == "bgk" ? CollisionModel::bgk : CollisionModel::trt;
+  model.equilibrium = c.fluid.equilibrium == "full" ? EquilibriumModel::full : EquilibriumModel::stokes;
+  model.walls = c.fluid.walls == "interpolated" ? WallModel::interpolated : WallModel::half_way;
+  model.magic_parameter = c.fluid.magic_parameter;
+  model.relaxation_time = c.fluid.relaxation_time;
+  return model;
+}
+
+MembraneModuli make_moduli(const Case& c) {
+  const LatticeParameters l = to_lattice(c);
+  MembraneModuli m;
+  m.shear = l.shear_modulus;
+  m.skalak_denominator = c.cell.skalak_denominator;
+  m.local_area = l.local_area_modulus;
+  m.global_area = l.global_area_modulus;
+  m.volume = c.cell.volume_control == "penalty" ? l.volume_modulus : 0.0;
+  m.bending = l.bending_modulus;
+  return m;
+}
+
+CouplingModel make_coupling_model(const Case& c) {
+  const LatticeParameters l = to_lattice(c);
+  CouplingModel model;
+  model.kernel = kernel_by_name(c.coupling.kernel);
+  model.mobility =
+      c.coupling.regularisation == "force_difference" ? c.coupling.regularisation_strength / l.viscosity : 0.0;
+  model.project_volume = c.cell.volume_control == "projection";
+  model.pillar_repulsion = {l.repulsion_strength, c.coupling.repulsion_range};
+  model.wall_repulsion = {l.wall_repulsion_strength, c.coupling.repulsion_range};
+  model.wall_height = 0.5 * l.depth;
+  model.tau_outside = l.tau_outside;
+  model.tau_inside = l.tau_inside;
+  model.smoothed_viscosity = c.cell.viscosity_field == "smoothed";
+  model.viscosity_update_interval = c.cell.viscosity_update_interval;
+  return model;
+}
+
+}  // namespace dld

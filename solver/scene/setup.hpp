@@ -1,0 +1,32 @@
+#pragma once
+/// From a case to the objects of a scene. What the names in the case mean is decided here and nowhere else.
+#include <memory>
+
+#include "coupling/coupled_cell.hpp"
+#include "fluid/lattice.hpp"
+#include "geometry/pillar_array.hpp"
+#include "geometry/unit_cell.hpp"
+#include "membrane/membrane.hpp"
+#include "parameters/units.hpp"
+
+namespace dld {
+
+PillarArray make_pillar_array(const Case& c);
+
+/// The unit cell with its solid nodes. The pillar array must outlive it.
+UnitCell make_unit_cell(const Case& c, const PillarArray& pillars);
+
+FluidModel make_fluid_model(const Case& c);
+
+/// Moduli of the cell in lattice units; no volume penalty where the volume is projected.
+MembraneModuli make_moduli(const Case& c);
+
+CouplingModel make_coupling_model(const Case& c);
+
+/// Calls run.template operator()<float>() or <double>(), as the case says.
+template <class Function>
+auto with_precision(const Case& c, Function&& run) {
+  return c.fluid.precision == "double" ? run.template operator()<double>() : run.template operator()<float>();
+}
+
+}  // namespace dld

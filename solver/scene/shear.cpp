@@ -1,0 +1,100 @@
+/// Scene `shear`: a spherical capsule in plane Couette flow, for validation.
+///
+///   walls at z = +- H/2 move with -+ gdot H/2; small deformation (Barthes-Biesel 1980; Barthes-Biesel, Diaz
+///   and Dhenin 2002): D = (5/8) eta gdot a (3/Gs + 1/Ks), Gs = 4 kS/k, Ks = Gs + 2 kalpha/3,
+///   independent of the viscosity ratio. kalpha = local_area_modulus * kS here, since there is no p' l r.
+///
+/// Try: dld run params/cases/shear.json /tmp/shear.h5
+#include <cmath>
+
+#include "coupling/coupled_cell.hpp"
+#include "measure/deformation.hpp"
+#include "output/interrupt.hpp"
+#include "scene/monitor.hpp"
+#include "scene/passage_record.hpp"
+#include "scene/registry.hpp"
+#include "scene/setup.hpp"
+
+namespace dld {
+namespace {
+
+UnitCell shear_box(int n) {
+  UnitCell cell;
+  cell.nx = cell.ny = cell.nz = n;
+  cell.height = HeightBoundary::walls;
+  cell.origin_x = cell.origin_y = cell.origin_z = 0.5 - 0.5 * n;
+  mark_solid(cell, true);
+  return cell;
+}
+
+template <class Real>
+Status run(const Case& c, RunContext& context) {
+  const LatticeParameters l = to_lattice(c);
+  const double a = l.cell_radius;
+  const double rate = c.shear.reynolds_number * l.viscosity / (a * a);  // gdot
+  const int n = static_cast<int>(std::lround(c.shear.box_um / l.um_per_lu));
+  const double wall_speed = 0.5 * rate * n;
+
+  FluidModel fluid = make_fluid_model(c);
+  fluid.wall_motion = {-wall_speed, wall_speed};
+  const UnitCell box = shear_box(n);
+  Lattice<Real> lattice(box, fluid);
+  lattice.initialise([&](int, int, int z) { return std::array<double, 3>{rate * (z + box.origin_z), 0.0, 0.0}; });
+
+  MembraneModuli moduli;
+  moduli.shear = l.viscosity * rate * a / c.shear.capillary_number;
+  moduli.skalak_denominator = c.cell.skalak_denominator;
+  moduli.local_area = c.cell.local_area_modulus * moduli.shear;
+  moduli.global_area = c.cell.global_area_modulus * moduli.shear;
+  moduli.bending = c.cell.bending_ratio * moduli.shear * a * a;
+  if (c.cell.volume_control == "penalty") moduli.volume = c.cell.volume_modulus * moduli.shear / a;
+  Membrane membrane(make_cell(c.cell.shape, c.cell.mesh_frequency, a), moduli);
+  const PillarArray no_pillars(make_pillar("none", {}), n, n, 0.0);
+  CoupledCell<Real> cell(lattice, membrane, no_pillars, make_coupling_model(c), membrane.reference().vertices);
+
+  ColumnTable series({{"time", "1/gdot", "time times shear rate", {}},
+                      {"deformation", "1", "(L - B)/(L + B) of the equivalent ellipsoid", {}},
+                      {"volume_change", "1", "(V - V0)/V0", {}}});
+  const long steps = std::lround(c.shear.duration / rate);
+  const long interval = std::max(2L, steps / 200 / 2 * 2);
+  double deformation = 0.0;
+  Status status = Status::converged;
+  context.progress.start("shear", static_cast<double>(steps));
+  long step = 1;
+  for (; step <= steps; ++step) {
+    cell.step();
+    if (step % interval != 0) continue;
+    const MembraneState state = membrane.measure(cell.positions());
+    deformation = taylor_deformation(equivalent_semi_axes(cell.positions(), membrane.reference().faces));
+    series.append({static_cast<double>(step) * rate, deformation, state.volume / membrane.reference_volume() - 1.0});
+    if (const auto failure =
+            check_membrane(state, membrane, cell.velocities().rowwise().norm().maxCoeff(), cell.film())) {
+      context.summary["failing_quantity"] = failure->quantity;
+      context.summary["advice"] = failure->advice;
+      status = Status::diverged;
+      break;
+    }
+    if (interrupted() != 0) {
+      status = Status::interrupted;
+      break;
+    }
+    if (context.progress.due()) context.progress.update(static_cast<double>(step), "");
+  }
+  context.progress.finish(to_string(status));
+  const double gs = 4.0 * moduli.shear / moduli.skalak_denominator, ks = gs + 2.0 * moduli.local_area / 3.0;
+  context.summary["deformation"] = deformation;
+  context.summary["deformation_theory"] = 0.625 * l.viscosity * rate * a * (3.0 / gs + 1.0 / ks);
+  context.summary["steps"] = std::min(step, steps);
+  context.summary["node_updates"] = steps * static_cast<long>(lattice.fluid_nodes());
+  context.summary["membrane_updates"] = steps * membrane.vertex_count();
+  if (series.size() > 0) series.write(context.out, "/shear");
+  return status;
+}
+
+}  // namespace
+
+Status run_shear(const Case& c, RunContext& context) {
+  return with_precision(c, [&]<class Real>() { return run<Real>(c, context); });
+}
+
+}  // namespace dld

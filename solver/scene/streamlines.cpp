@@ -1,0 +1,96 @@
+/// Scene `streamlines`: the cell-free flow through the array.
+///
+///   -grad p + eta laplace u + f e_x = 0,  div u = 0   (Stokes; with inertia if the case says so)
+///   u = 0 on the pillars and at z = +- H/2,  u(x + lambda, y) = u(x, y - d)
+///
+/// 1 run to the steady state   2 flow resistance and mean velocities   3 separation streamlines, s
+///
+/// Try: dld run params/cases/streamlines.json /tmp/streamlines.h5
+#include "measure/streamlines.hpp"
+#include "scene/flow_output.hpp"
+#include "scene/registry.hpp"
+#include "scene/setup.hpp"
+#include "scene/steady_flow.hpp"
+
+namespace dld {
+namespace {
+
+void summarise_flow(const Case& c, const SteadyState& steady, double porosity, nlohmann::ordered_json& summary) {
+  const LatticeParameters l = to_lattice(c);
+  const SiScales si = to_si(c);
+  const double u = steady.flow.velocity[0];
+  const double slit = l.force_density * l.depth * l.depth / (12.0 * l.viscosity);
+  const auto reynolds = [&](double velocity) { return velocity * l.length_scale / l.viscosity; };
+  summary["mean_velocity"] = u;
+  summary["superficial_velocity"] = u * porosity;
+  summary["lateral_velocity_ratio"] = steady.flow.velocity[1] / u;
+  summary["resistance_Pa_s_per_m2"] = l.force_density / u * si.resistance_Pa_s_per_m2_per_lu;
+  summary["reynolds_number"] = reynolds(u);
+  summary["reynolds_number_superficial"] = reynolds(u * porosity);
+  summary["reynolds_number_slit"] = reynolds(slit);
+  summary["max_speed"] = steady.flow.max_speed;
+  summary["density_variation"] = steady.flow.max_density_deviation - steady.flow.min_density_deviation;
+  summary["residual"] = steady.residual;
+}
+
+void write_separatrix(RunContext& context, const char* name, const Separation& separation, double um_per_lu,
+                      const char* description) {
+  if (!separation.found) return;
+  const Eigen::MatrixX2d points = separation.streamline * um_per_lu;
+  context.out.write_matrix(std::string("/separatrix/") + name, points, "um", description);
+}
+
+template <class Real>
+Status run(const Case& c, RunContext& context) {
+  const LatticeParameters l = to_lattice(c);
+  const PillarArray pillars = make_pillar_array(c);
+  const UnitCell cell = make_unit_cell(c, pillars);
+  Lattice<Real> lattice(cell, make_fluid_model(c));
+  lattice.set_uniform_force(l.force_density, 0.0, 0.0);
+
+  const SteadyState steady =
+      run_to_steady_state(lattice, LateralFlow(c.fluid.lateral_flow == "blocked", l), c.stop.steady_tolerance,
+                          c.stop.max_steps, context.progress);
+  nlohmann::ordered_json& summary = context.summary;
+  summary["row_shift_um"] = c.geometry.row_shift_um;
+  summary["epsilon"] = c.geometry.row_shift_um / c.geometry.pitch_um;
+  summary["dx_um"] = c.fluid.lattice_spacing_um;
+  summary["steps"] = steady.steps;
+  summary["node_updates"] = steady.steps * static_cast<long>(lattice.fluid_nodes());
+  summary["membrane_updates"] = 0;
+  summary["memory_bytes"] = lattice.memory_bytes();
+  summary["lateral_force_ratio"] = lattice.uniform_force()[1] / l.force_density;
+  const double porosity = static_cast<double>(lattice.fluid_nodes()) / (static_cast<double>(l.nx) * l.ny * l.nz);
+  summarise_flow(c, steady, porosity, summary);
+  if (steady.status == Status::diverged) {
+    summary["failing_quantity"] = "speed";
+    summary["failing_value"] = steady.flow.max_speed;
+    summary["failing_step"] = steady.steps;
+    summary["failing_place"] = "fluid";
+    summary["advice"] = "lower /fluid/force_density, or bring /fluid/relaxation_time nearer to 1";
+    return steady.status;
+  }
+
+  const PlaneField field =
+      mid_plane(lattice, [&pillars](double x, double y) { return pillars.signed_distance(x, y); });
+  if (c.output.flow_field) write_plane_flow(context, field, l.um_per_lu);
+  if (pillars.empty() || l.row_shift == 0) return steady.status;
+  const PlaneFlow flow = field.flow();
+  const Separation downstream = separation_downstream(flow), upstream = separation_upstream(flow);
+  write_separatrix(context, "downstream", downstream, l.um_per_lu,
+                   "streamline that ends in the front stagnation point of the next pillar downstream");
+  write_separatrix(context, "upstream", upstream, l.um_per_lu,
+                   "streamline that leaves the rear stagnation point of the pillar upstream");
+  summary["separation_um"] = downstream.seed_distance * l.um_per_lu;
+  summary["separation_upper_um"] = upstream.seed_distance * l.um_per_lu;
+  summary["separation_shortest_um"] = downstream.minimum_distance * l.um_per_lu;
+  return steady.status;
+}
+
+}  // namespace
+
+Status run_streamlines(const Case& c, RunContext& context) {
+  return with_precision(c, [&]<class Real>() { return run<Real>(c, context); });
+}
+
+}  // namespace dld

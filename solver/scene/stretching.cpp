@@ -1,0 +1,191 @@
+/// Scene `stretching`: the optical tweezer. Two opposite forces F act on patches at the two ends of the cell.
+///
+///   static   the shape at rest minimises E(x) - F (x_right - x_left); no fluid, since at rest there is none
+///   coupled  the same forces on a cell in a quiescent fluid, stepped until it rests: a check of the coupling
+///
+/// The area and volume moduli are the case's, times kS (there is no p' l r here): kalpha = local_area_modulus kS.
+///
+/// Try: dld run params/cases/stretching.json /tmp/stretching.h5
+#include <cmath>
+#include <cstdio>
+
+#include "coupling/coupled_cell.hpp"
+#include "membrane/stretching.hpp"
+#include "output/interrupt.hpp"
+#include "scene/monitor.hpp"
+#include "scene/registry.hpp"
+#include "scene/setup.hpp"
+
+namespace dld {
+namespace {
+
+/// Moduli for a given kS and radius, in the units of both.
+MembraneModuli stretching_moduli(const Case& c, double shear, double radius, bool with_volume) {
+  MembraneModuli m;
+  m.shear = shear;
+  m.skalak_denominator = c.cell.skalak_denominator;
+  m.local_area = c.cell.local_area_modulus * shear;
+  m.global_area = c.cell.global_area_modulus * shear;
+  m.volume = with_volume ? c.cell.volume_modulus * shear / radius : 0.0;
+  m.bending = c.cell.bending_ratio * shear * radius * radius;
+  return m;
+}
+
+/// One row of the result: shape in um, extents, and how it was reached.
+struct Result {
+  double force_pN = 0;
+  Eigen::MatrixX3d vertices_um;
+  double axial_um = 0, transverse_um = 0, energy_J = 0;
+  long iterations = 0;
+};
+
+std::vector<Result> stretch_static(const Case& c, Membrane& membrane, RunContext& context, Status& status) {
+  const ContactPatches patches(membrane.reference().vertices, c.stretching.contact_radius_um);
+  std::vector<Result> results;
+  context.progress.start("stretching", static_cast<double>(c.stretching.forces_pN.size()));
+  for (const StretchedShape& shape : stretch_ladder(membrane, patches, c.stretching.forces_pN)) {
+    results.push_back({c.stretching.forces_pN[results.size()], shape.vertices, shape.axial, shape.transverse,
+                       shape.energy * 1e-18, shape.iterations});
+    if (!shape.converged) status = Status::undecided;
+  }
+  context.progress.finish(to_string(status));
+  return results;
+}
+
+/// Box around the stretched cell: periodic along the pull and across it, mirror plane and one far wall.
+UnitCell quiescent_box(double radius) {
+  UnitCell cell;
+  cell.nx = static_cast<int>(std::ceil(5.6 * radius));
+  cell.ny = static_cast<int>(std::ceil(4.0 * radius));
+  cell.nz = static_cast<int>(std::ceil(1.2 * radius));
+  cell.height = HeightBoundary::mirror_and_wall;
+  cell.origin_x = 0.5 - 0.5 * cell.nx;
+  cell.origin_y = 0.5 - 0.5 * cell.ny;
+  cell.origin_z = 0.5;
+  mark_solid(cell, true);
+  return cell;
+}
+
+template <class Real>
+std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& status) {
+  const LatticeParameters l = to_lattice(c);
+  // Stiff enough to relax soon, soft enough for the explicit coupling.
+  constexpr double shear_lu = 0.02;
+  Lattice<Real> lattice(quiescent_box(l.cell_radius), make_fluid_model(c));
+  Membrane membrane(make_cell(c.cell.shape, c.cell.mesh_frequency, l.cell_radius),
+                    stretching_moduli(c, shear_lu, l.cell_radius, c.cell.volume_control == "penalty"));
+  const PillarArray no_pillars(make_pillar("none", {}), lattice.cell().nx, lattice.cell().ny, 0.0);
+  CoupledCell<Real> cell(lattice, membrane, no_pillars, make_coupling_model(c), membrane.reference().vertices);
+  const ContactPatches patches(membrane.reference().vertices, c.stretching.contact_radius_um / l.um_per_lu);
+  cell.external_forces = Eigen::MatrixX3d::Zero(membrane.vertex_count(), 3);
+
+  constexpr int interval = 500;
+  constexpr double rest = 2e-5;  // relative change of the extents per interval
+  const auto extent = [&](int axis) {
+    return cell.positions().col(axis).maxCoeff() - cell.positions().col(axis).minCoeff();
+  };
+  std::vector<Result> results;
+  long steps = 0;
+  context.progress.start("stretching through the fluid", static_cast<double>(c.stretching.forces_pN.size()));
+  for (const double force_pN : c.stretching.forces_pN) {
+    // F / kS is a length: the same in both systems of units.
+    const double force = force_pN / c.stretching.shear_modulus_uN_per_m / l.um_per_lu * shear_lu;
+    cell.external_forces.setZero();
+    patches.add_pull(force, cell.external_forces);
+    double axial = 0.0, transverse = 0.0;
+    const long begin = steps;
+    while (true) {
+      cell.step();
+      ++steps;
+      if (steps % interval != 0) continue;
+      if (const auto failure = check_membrane(membrane.measure(cell.positions()), membrane,
+                                              cell.velocities().rowwise().norm().maxCoeff(), cell.film())) {
+        context.summary["failing_quantity"] = failure->quantity;
+        context.summary["advice"] = failure->advice;
+        status = Status::diverged;
+        break;
+      }
+      const double a = extent(0), t = extent(1);
+      const bool resting = std::abs(a - axial) < rest * a && std::abs(t - transverse) < rest * t;
+      axial = a;
+      transverse = t;
+      if (resting) break;
+      if (steps >= c.stop.max_steps) status = Status::undecided;
+      if (interrupted() != 0) status = Status::interrupted;
+      if (status != Status::converged) break;
+      if (context.progress.due()) {
+        context.progress.update(static_cast<double>(results.size()), std::to_string(force_pN) + " pN");
+      }
+    }
+    // Energy scales with kS dx^2: from lattice units to J.
+    const double joule = c.stretching.shear_modulus_uN_per_m / shear_lu * l.um_per_lu * l.um_per_lu * 1e-18;
+    results.push_back({force_pN, cell.positions() * l.um_per_lu, axial * l.um_per_lu, transverse * l.um_per_lu,
+                       membrane.energy(cell.positions()) * joule, steps - begin});
+    if (status != Status::converged) break;
+  }
+  context.progress.finish(to_string(status));
+  context.summary["node_updates"] = steps * static_cast<long>(lattice.fluid_nodes());
+  return results;
+}
+
+void write_results(const Case& c, const TriangleMesh& reference_um, const std::vector<Result>& results,
+                   RunContext& context) {
+  std::vector<double> force, axial, transverse, energy;
+  std::vector<std::int64_t> iterations;
+  context.out.write_matrix("/membrane/faces", reference_um.faces, "1", "vertices of each triangle");
+  context.out.write_matrix("/membrane/reference", reference_um.vertices, "um", "stress-free shape");
+  XdmfMesh mesh;
+  mesh.n_faces = static_cast<std::size_t>(reference_um.faces.rows());
+  mesh.n_vertices = static_cast<std::size_t>(reference_um.vertices.rows());
+  for (const Result& r : results) {
+    char name[48];
+    std::snprintf(name, sizeof name, "/membrane/force_%03d", static_cast<int>(force.size()));
+    context.out.write_matrix(std::string(name) + "/vertices", r.vertices_um, "um", "shape at rest");
+    context.out.attribute(name, "force_pN", r.force_pN);
+    mesh.snapshots.push_back({std::string(name) + "/vertices", r.force_pN});
+    force.push_back(r.force_pN);
+    axial.push_back(r.axial_um);
+    transverse.push_back(r.transverse_um);
+    energy.push_back(r.energy_J);
+    iterations.push_back(r.iterations);
+  }
+  context.xdmf.mesh = mesh;
+  context.out.write("/stretching/force_pN", force, "pN", "force on each end");
+  context.out.write("/stretching/axial_um", axial, "um", "extent along the pull");
+  context.out.write("/stretching/transverse_um", transverse, "um", "extent across the pull, in the cell's plane");
+  context.out.write("/stretching/energy_J", energy, "J", "elastic energy of the membrane");
+  context.out.write("/stretching/iterations", iterations, "1", "iterations of the minimiser, or time steps");
+  nlohmann::ordered_json& s = context.summary;
+  s["skalak_denominator"] = c.cell.skalak_denominator;
+  s["mesh_frequency"] = c.cell.mesh_frequency;
+  s["method"] = c.stretching.method;
+  s["dx_um"] = c.fluid.lattice_spacing_um;
+  s["force_pN"] = force;
+  s["axial_um"] = axial;
+  s["transverse_um"] = transverse;
+  long total = 0;
+  for (const auto n : iterations) total += n;
+  s["steps"] = total;
+  if (!s.contains("node_updates")) s["node_updates"] = 0;
+  s["membrane_updates"] = total * reference_um.vertices.rows();
+}
+
+}  // namespace
+
+Status run_stretching(const Case& c, RunContext& context) {
+  Status status = Status::converged;
+  const TriangleMesh mesh = make_cell(c.cell.shape, c.cell.mesh_frequency, c.cell.radius_um);
+  std::vector<Result> results;
+  if (c.stretching.method == "coupled") {
+    results = with_precision(c, [&]<class Real>() { return stretch_coupled<Real>(c, context, status); });
+  } else {
+    // um and pN: 1 uN/m = 1 pN/um.
+    Membrane membrane(mesh, stretching_moduli(c, c.stretching.shear_modulus_uN_per_m, c.cell.radius_um, true));
+    results = stretch_static(c, membrane, context, status);
+  }
+  if (status == Status::interrupted) return status;
+  write_results(c, mesh, results, context);
+  return status;
+}
+
+}  // namespace dld

@@ -1,0 +1,260 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <thread>
+
+#include "output/checkpoint.hpp"
+#include "output/hdf5_file.hpp"
+#include "output/interrupt.hpp"
+#include "output/progress.hpp"
+#include "output/provenance.hpp"
+#include "output/xdmf.hpp"
+#include "scene/registry.hpp"
+
+namespace dld {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of its own for every test, removed at its end.
+class Output : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = fs::temp_directory_path() / ("dld_output_" + test + "_" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static std::string bytes(const fs::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+  }
+
+  static void write_sample(const fs::path& path) {
+    Hdf5File file(path);
+    std::vector<double> field(100 * 50 * 2);
+    std::iota(field.begin(), field.end(), 0.5);
+    file.write("/flow/velocity", std::span<const double>(field), {100, 50, 2}, "lu", "a field");
+    file.write("/trajectory/step", std::vector<std::int64_t>{1, 2, 3}, "steps", "a list");
+    file.attribute("/", "status", "converged");
+    file.close();
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Output, ArraysOfEveryTypeComeBack) {
+  const fs::path path = folder_ / "types.h5";
+  {
+    Hdf5File file(path);
+    file.write("/d", std::vector<double>{1.5, -2}, "um", "doubles");
+    file.write("/a/b/f", std::vector<float>{0.25f}, "lu", "floats");
+    file.write("/i", std::vector<std::int32_t>{-7, 8}, "1", "integers");
+    file.write("/l", std::vector<std::int64_t>{std::int64_t{1} << 40}, "1", "long integers");
+    file.write("/u", std::vector<std::uint8_t>{0, 255}, "1", "flags");
+    file.write("/empty", std::vector<double>{}, "um", "nothing");
+    file.write_scalar("/s", 3.25, "um", "a number");
+    file.close();
+  }
+  const Hdf5Reader file(path);
+  EXPECT_EQ(file.read<double>("/d"), (std::vector<double>{1.5, -2}));
+  EXPECT_EQ(file.read<float>("/a/b/f"), std::vector<float>{0.25f});
+  EXPECT_EQ(file.read<std::int32_t>("/i"), (std::vector<std::int32_t>{-7, 8}));
+  EXPECT_EQ(file.read<std::int64_t>("/l"), std::vector<std::int64_t>{std::int64_t{1} << 40});
+  EXPECT_EQ(file.read<std::uint8_t>("/u"), (std::vector<std::uint8_t>{0, 255}));
+  EXPECT_TRUE(file.read<double>("/empty").empty());
+  EXPECT_EQ(file.shape("/s"), Shape{});
+  EXPECT_EQ(file.read<double>("/s"), std::vector<double>{3.25});
+  EXPECT_EQ(file.type("/a/b/f"), Hdf5Reader::Type::float32);
+  EXPECT_EQ(file.text_attribute("/a/b/f", "unit"), "lu");
+  EXPECT_EQ(file.text_attribute("/d", "description"), "doubles");
+  EXPECT_TRUE(file.exists("/a/b"));
+  EXPECT_FALSE(file.exists("/a/c/f"));
+  EXPECT_THROW(file.read<double>("/missing"), IoError);
+}
+
+TEST_F(Output, MatricesAreWrittenByRows) {
+  Eigen::MatrixX3d vertices(2, 3);
+  vertices << 1, 2, 3, 4, 5, 6;
+  const fs::path path = folder_ / "matrix.h5";
+  {
+    Hdf5File file(path);
+    file.write_matrix("/membrane/reference", vertices, "um", "vertices");
+    file.write_matrix("/membrane/faces", Eigen::MatrixX3i::Constant(4, 3, 9), "1", "faces");
+    file.close();
+  }
+  const Hdf5Reader file(path);
+  EXPECT_EQ(file.shape("/membrane/reference"), (Shape{2, 3}));
+  EXPECT_EQ(file.read<double>("/membrane/reference"), (std::vector<double>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(file.type("/membrane/faces"), Hdf5Reader::Type::int32);
+  EXPECT_EQ(file.members("/membrane"), (std::vector<std::string>{"faces", "reference"}));
+}
+
+TEST_F(Output, CompressedArraysComeBack) {
+  write_sample(folder_ / "sample.h5");
+  const Hdf5Reader file(folder_ / "sample.h5");
+  EXPECT_EQ(file.shape("/flow/velocity"), (Shape{100, 50, 2}));
+  const auto field = file.read<double>("/flow/velocity");
+  EXPECT_EQ(field.front(), 0.5);
+  EXPECT_EQ(field.back(), 9999.5);
+  EXPECT_LT(fs::file_size(folder_ / "sample.h5"), field.size() * sizeof(double) / 2);
+}
+
+TEST_F(Output, EqualCallsMakeEqualBytes) {
+  write_sample(folder_ / "first.h5");
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // object times count seconds
+  write_sample(folder_ / "second.h5");
+  EXPECT_EQ(bytes(folder_ / "first.h5"), bytes(folder_ / "second.h5"));
+}
+
+TEST_F(Output, AnUnfinishedFileLeavesNothing) {
+  const fs::path path = folder_ / "unfinished.h5";
+  {
+    Hdf5File file(path);
+    file.write_scalar("/x", 1.0, "1", "x");
+    EXPECT_TRUE(fs::exists(path.string() + ".part"));
+    EXPECT_FALSE(fs::exists(path));
+  }
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(Output, RefusesWhatCannotBeWritten) {
+  EXPECT_THROW(Hdf5File(folder_ / "no" / "such" / "folder.h5"), IoError);
+  Hdf5File file(folder_ / "refuse.h5");
+  const std::vector<double> values{1, 2, 3};
+  EXPECT_THROW(file.write("/x", std::span<const double>(values), {2, 2}, "1", "wrong shape"), IoError);
+  EXPECT_THROW(file.write("x", values, "1", "no slash"), IoError);
+  file.write("/x", values, "1", "x");
+  EXPECT_THROW(file.write("/x", values, "1", "twice"), IoError);
+}
+
+TEST_F(Output, CheckpointComesBack) {
+  const fs::path path = folder_ / "run.checkpoint";
+  Checkpoint saved("{\"scene\":\"passage\"}");
+  saved.set("populations", std::vector<float>{0.1f, 0.2f});
+  saved.set("vertices", std::vector<double>{std::nextafter(1.0, 2.0)});
+  saved.set("step", std::int64_t{123456789012});
+  saved.set("time", 0.1);
+  saved.set("state", std::string("row 3"));
+  saved.save(path);
+  const auto loaded = Checkpoint::load(path, "{\"scene\":\"passage\"}");
+  ASSERT_TRUE(loaded.has_value());
+  EXPECT_EQ(loaded->get<std::vector<float>>("populations"), (std::vector<float>{0.1f, 0.2f}));
+  EXPECT_EQ(loaded->get<std::vector<double>>("vertices").at(0), std::nextafter(1.0, 2.0));
+  EXPECT_EQ(loaded->integer("step"), 123456789012);
+  EXPECT_EQ(loaded->number("time"), 0.1);
+  EXPECT_EQ(loaded->get<std::string>("state"), "row 3");
+  EXPECT_FALSE(loaded->has("nothing"));
+  EXPECT_THROW(loaded->number("nothing"), IoError);
+  EXPECT_THROW(loaded->get<std::vector<double>>("populations"), IoError);
+}
+
+TEST_F(Output, CheckpointOfAnotherCaseIsRefused) {
+  const fs::path path = folder_ / "run.checkpoint";
+  Checkpoint("one").save(path);
+  EXPECT_THROW(Checkpoint::load(path, "two"), IoError);
+  EXPECT_FALSE(Checkpoint::load(folder_ / "absent", "one").has_value());
+  std::ofstream(folder_ / "damaged") << "not HDF5";
+  EXPECT_THROW(Checkpoint::load(folder_ / "damaged", "one"), IoError);
+}
+
+TEST_F(Output, XdmfNamesTheDatasets) {
+  XdmfDescription description;
+  description.mesh =
+      XdmfMesh{.n_faces = 20, .n_vertices = 12, .snapshots = {{"/membrane/a", 1}, {"/membrane/b", 2.5}}};
+  description.flow = XdmfFlow{.nx = 3, .ny = 2, .x0_um = -0.4, .y0_um = -0.2, .spacing_um = 0.4};
+  write_xdmf(folder_ / "run.h5", description);
+  const std::string text = bytes(folder_ / "run.xdmf");
+  for (const char* part : {"run.h5:/membrane/a", "run.h5:/membrane/b", "<Time Value=\"2.5\"/>",
+                           "run.h5:/flow/points_um", "Dimensions=\"3 2 3\""}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(text.find(folder_.string()), std::string::npos);
+  {
+    Hdf5File file(folder_ / "run.h5");
+    write_flow_points(file, *description.flow);
+    file.close();
+  }
+  const auto points = Hdf5Reader(folder_ / "run.h5").read<double>("/flow/points_um");
+  ASSERT_EQ(points.size(), 18u);
+  EXPECT_DOUBLE_EQ(points[4 * 3], -0.4 + 2 * 0.4);  // node (2, 0)
+  EXPECT_DOUBLE_EQ(points[5 * 3 + 1], 0.2);         // node (2, 1)
+  write_xdmf(folder_ / "empty.h5", {});
+  EXPECT_FALSE(fs::exists(folder_ / "empty.xdmf"));
+}
+
+TEST(ProgressText, Durations) {
+  EXPECT_EQ(duration_text(11.2), "12 s");
+  EXPECT_EQ(duration_text(200), "3 min 20 s");
+  EXPECT_EQ(duration_text(3900), "1 h 05 min");
+  EXPECT_EQ(duration_text(-1), "0 s");
+}
+
+// Text that a progress report writes to its stream.
+template <class Report>
+std::string printed(bool terminal, Report report) {
+  std::FILE* stream = std::tmpfile();
+  Progress progress(stream, terminal);
+  report(progress);
+  std::rewind(stream);
+  std::string text(4096, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), stream));
+  std::fclose(stream);
+  return text;
+}
+
+TEST(ProgressText, LogLinesAreRare) {
+  const std::string text = printed(false, [](Progress& progress) {
+    progress.start("passage", 10);
+    for (int i = 0; i <= 10; ++i) progress.update(i, "row " + std::to_string(i));
+    EXPECT_FALSE(progress.due());
+    progress.finish("displaced");
+  });
+  EXPECT_EQ(std::ranges::count(text, '\n'), 2);
+  EXPECT_NE(text.find("passage:   0.0 %  row 0"), std::string::npos) << text;
+  EXPECT_NE(text.find("displaced"), std::string::npos);
+}
+
+TEST(ProgressText, TerminalRewritesItsLine) {
+  const std::string text = printed(true, [](Progress& progress) {
+    progress.start("channel");
+    progress.update(1, "a long state of the run");
+    std::this_thread::sleep_for(std::chrono::milliseconds(220));
+    EXPECT_TRUE(progress.due());
+    progress.update(2, "short");
+    progress.finish("converged");
+  });
+  EXPECT_EQ(std::ranges::count(text, '\r'), 3);
+  EXPECT_EQ(std::ranges::count(text, '\n'), 1);
+  EXPECT_EQ(text.find('%'), std::string::npos);  // the total is unknown
+}
+
+TEST(Interrupt, SignalSetsTheFlag) {
+  EXPECT_EQ(interrupted(), 0);
+  catch_interrupts();
+  std::raise(SIGTERM);
+  EXPECT_EQ(interrupted(), SIGTERM);
+}
+
+TEST(Provenance, NamesBuildAndLibraries) {
+  const auto p = provenance(3);
+  EXPECT_EQ(p["threads"], 3);
+  EXPECT_FALSE(p["git_commit"].get<std::string>().empty());
+  EXPECT_EQ(p["libraries"].size(), 5u);
+  EXPECT_EQ(provenance(3).dump(), p.dump());
+}
+
+TEST(SceneStatus, HasAName) {
+  EXPECT_EQ(to_string(Status::zigzag), "zigzag");
+  EXPECT_EQ(to_string(Status::interrupted), "interrupted");
+}
+
+}  // namespace
+}  // namespace dld

@@ -1,0 +1,236 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "geometry/pillar.hpp"
+#include "parameters/declaration.hpp"
+#include "parameters/limits.hpp"
+#include "parameters/reader.hpp"
+#include "parameters/text.hpp"
+#include "scene/registry.hpp"
+
+namespace dld {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path data_folder = fs::path(DLD_SOURCE_DIR) / "tests" / "data";
+
+std::vector<fs::path> files(const std::string& folder) {
+  std::vector<fs::path> list;
+  for (const auto& entry : fs::directory_iterator(data_folder / folder)) list.push_back(entry.path());
+  std::ranges::sort(list);
+  return list;
+}
+
+// The problems of a case text; empty if it is accepted.
+std::vector<Problem> problems_of(const std::string& text) {
+  try {
+    parse_case(text, "case.json");
+    return {};
+  } catch (const CaseError& error) {
+    return error.problems;
+  }
+}
+
+std::set<std::string> pointers(const std::vector<Problem>& problems) {
+  std::set<std::string> set;
+  for (const auto& problem : problems) set.insert(problem.pointer);
+  return set;
+}
+
+std::vector<Problem> problems_of_file(const fs::path& path) {
+  try {
+    read_case(path);
+    return {};
+  } catch (const CaseError& error) {
+    EXPECT_NE(std::string(error.what()).find(path.filename().string()), std::string::npos);
+    return error.problems;
+  }
+}
+
+TEST(Reader, AcceptsEveryGoodFile) {
+  EXPECT_GE(files("good").size(), 8u);
+  for (const auto& path : files("good")) EXPECT_NO_THROW(read_case(path)) << path;
+}
+
+TEST(Reader, RefusesEveryBadFile) {
+  EXPECT_GE(files("bad").size(), 14u);
+  for (const auto& path : files("bad")) EXPECT_FALSE(problems_of_file(path).empty()) << path;
+}
+
+TEST(Reader, RefusesEveryInconsistentFile) {
+  EXPECT_GE(files("inconsistent").size(), 10u);
+  for (const auto& path : files("inconsistent")) {
+    const auto problems = problems_of_file(path);
+    EXPECT_FALSE(problems.empty()) << path;
+    for (const auto& problem : problems) EXPECT_FALSE(problem.advice.empty()) << path << problem.pointer;
+  }
+}
+
+TEST(Reader, TakesDefaultsFromTheCase) {
+  const Case c = parse_case(R"({"scene": "passage"})", "case.json");
+  EXPECT_EQ(echo(c), echo(Case{}));
+}
+
+TEST(Reader, StoresWhatIsGiven) {
+  const Case c = parse_case(R"({"scene": "stretching", "fluid": {"collision": "bgk", "force_density": 2e-5},
+      "cell": {"mesh_frequency": 7.0, "start": {"x_um": -3}}, "stop": {"max_steps": 2e6},
+      "output": {"flow_field": false}, "stretching": {"forces_pN": [1, 2.5]}})",
+                            "case.json");
+  EXPECT_EQ(c.scene, "stretching");
+  EXPECT_EQ(c.fluid.collision, "bgk");
+  EXPECT_EQ(c.fluid.force_density, 2e-5);
+  EXPECT_EQ(c.cell.mesh_frequency, 7);
+  EXPECT_EQ(c.cell.start.x_um, -3);
+  EXPECT_EQ(c.stop.max_steps, 2000000);
+  EXPECT_FALSE(c.output.flow_field);
+  EXPECT_EQ(c.stretching.forces_pN, (std::vector<double>{1, 2.5}));
+}
+
+TEST(Reader, ReportsAllProblemsAtOnce) {
+  EXPECT_EQ(pointers(problems_of_file(data_folder / "bad" / "many_faults.json")),
+            (std::set<std::string>{"/geometry/pillar_radius_um", "/geometry/height", "/geometry/pich_um",
+                                   "/fluid/magic_parameter", "/fluid/walls", "/cell/start/tilt_deg",
+                                   "/stop/max_rows"}));
+  EXPECT_EQ(pointers(problems_of_file(data_folder / "inconsistent" / "several.json")),
+            (std::set<std::string>{"/geometry/pitch_um", "/geometry/depth_um", "/geometry/row_shift_um",
+                                   "/cell/start/z_um"}));
+}
+
+TEST(Reader, NamesTheNearestKnownName) {
+  const auto problems = problems_of(R"({"scene": "passage", "fluid": {"relaxtion_time": 1}})");
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].pointer, "/fluid/relaxtion_time");
+  EXPECT_NE(problems[0].advice.find("relaxation_time"), std::string::npos);
+}
+
+TEST(Reader, SaysWhereAMisplacedNameBelongs) {
+  const auto problems = problems_of(R"({"scene": "passage", "kernel": "phi4"})");
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].advice.find("/coupling/kernel"), std::string::npos);
+}
+
+TEST(Reader, GivesTheNearestLatticeValue) {
+  const auto problems = problems_of(R"({"scene": "passage", "geometry": {"row_shift_um": 2.1}})");
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].value, "2.1");
+  EXPECT_NE(problems[0].advice.find("use 2,"), std::string::npos) << problems[0].advice;
+}
+
+TEST(Reader, PlacesSyntaxErrors) {
+  const auto problems = problems_of("{\n  \"scene\": \"passage\",\n  \"fluid\": {]\n}");
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].advice.find("line 3, column 13"), std::string::npos) << problems[0].advice;
+  EXPECT_FALSE(problems_of("").empty());
+  EXPECT_FALSE(problems_of(R"({"scene": "passage", "fluid": {"force_density": 1e999}})").empty());
+}
+
+TEST(Reader, RefusesRepeatedNames) {
+  const auto problems = problems_of(R"({"scene": "passage", "fluid": {}, "fluid": {}})");
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].value, "\"fluid\"");
+  // The same name in two objects is no repetition.
+  EXPECT_TRUE(problems_of(R"({"scene": "shear", "cell": {"capillary_number": 1, "radius_um": 3.2},
+                              "shear": {"capillary_number": 1}})")
+                  .empty());
+}
+
+TEST(Reader, RefusesAMissingFile) {
+  EXPECT_THROW(read_case("no/such/case.json"), CaseError);
+}
+
+TEST(Reader, EpsilonGivesTheRowShift) {
+  const Case c = parse_case(R"({"scene": "passage", "geometry": {"epsilon": 0.1375}})", "case.json");
+  EXPECT_DOUBLE_EQ(c.geometry.row_shift_um, 4.4);
+}
+
+TEST(Echo, ReadsBackAsTheSameCase) {
+  for (const auto& path : files("good")) {
+    const auto resolved = echo(read_case(path));
+    EXPECT_EQ(echo(parse_case(resolved.dump(), "echo.json")), resolved) << path;
+  }
+}
+
+TEST(Echo, HoldsEveryParameter) {
+  const auto tree = echo(Case{});
+  for (const auto& declaration : declarations()) {
+    EXPECT_TRUE(tree.contains(nlohmann::json::json_pointer(declaration.pointer()))) << declaration.pointer();
+  }
+}
+
+TEST(Declarations, AreNamedOnce) {
+  std::set<std::string> seen;
+  for (const auto& declaration : declarations()) {
+    EXPECT_TRUE(seen.insert(declaration.pointer()).second) << declaration.pointer();
+  }
+}
+
+TEST(Declarations, PointToDifferentMembers) {
+  Case c;
+  std::set<const void*> seen;
+  for (const auto& declaration : declarations()) {
+    const void* member =
+        std::visit([](auto* value) { return static_cast<const void*>(value); }, declaration.field(c));
+    EXPECT_TRUE(seen.insert(member).second) << declaration.pointer();
+  }
+}
+
+TEST(Declarations, ScenesAreRegistered) {
+  for (const auto& name : declarations().front().allowed.names) EXPECT_NE(find_scene(name), nullptr) << name;
+  EXPECT_EQ(scene_names().size(), declarations().front().allowed.names.size());
+  EXPECT_EQ(find_scene("nothing"), nullptr);
+}
+
+TEST(Schema, StatesRangesNamesAndDefaults) {
+  const auto schema = case_schema();
+  const auto& fluid = schema["properties"]["fluid"];
+  EXPECT_EQ(fluid["additionalProperties"], false);
+  EXPECT_EQ(fluid["properties"]["relaxation_time"]["exclusiveMinimum"], 0.5);
+  EXPECT_EQ(fluid["properties"]["relaxation_time"]["default"], 1.0);
+  EXPECT_EQ(fluid["properties"]["collision"]["enum"], (std::vector<std::string>{"bgk", "trt"}));
+  EXPECT_EQ(schema["properties"]["geometry"]["properties"]["pillar_shape"]["enum"], pillar_shape_names());
+  EXPECT_EQ(schema["properties"]["cell"]["properties"]["mesh_frequency"]["type"], "integer");
+  EXPECT_EQ(schema["properties"]["stretching"]["properties"]["forces_pN"]["items"]["minimum"], 0);
+  EXPECT_EQ(schema["required"], std::vector<std::string>{"scene"});
+}
+
+TEST(Schema, DescribesEveryParameter) {
+  for (const auto& declaration : declarations())
+    EXPECT_GE(declaration.doc.size(), 2u) << declaration.pointer();
+}
+
+TEST(Suggestion, EditDistance) {
+  EXPECT_EQ(edit_distance("", "abc"), 3u);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
+  EXPECT_EQ(edit_distance("same", "same"), 0u);
+}
+
+TEST(Margins, DefaultCaseIsStable) {
+  const auto margins = stability_margins(Case{});
+  EXPECT_GE(margins.size(), 5u);
+  for (const auto& margin : margins) EXPECT_TRUE(margin.ok) << margin.name << " " << margin.value;
+}
+
+TEST(Margins, AStrongForceViolatesThem) {
+  Case c;
+  c.fluid.force_density *= 100;
+  const auto margins = stability_margins(c);
+  const auto violated = std::ranges::count_if(margins, [](const Margin& m) { return !m.ok; });
+  EXPECT_GE(violated, 3);
+}
+
+TEST(Margins, OnlyForCoupledMembranes) {
+  Case c;
+  c.scene = "stretching";
+  EXPECT_TRUE(stability_margins(c).empty());
+  c.stretching.method = "coupled";
+  EXPECT_FALSE(stability_margins(c).empty());
+  c.scene = "streamlines";
+  EXPECT_TRUE(stability_margins(c).empty());
+}
+
+}  // namespace
+}  // namespace dld

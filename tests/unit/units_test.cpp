@@ -1,0 +1,119 @@
+#include "parameters/units.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace dld {
+namespace {
+
+// The numbers of the paper at dx = 0.4 um.
+TEST(Units, PaperCaseInLatticeUnits) {
+  Case c;
+  c.cell.capillary_number = 1.0;
+  const LatticeParameters l = to_lattice(c);
+  EXPECT_EQ(l.nx, 80);
+  EXPECT_EQ(l.ny, 80);
+  EXPECT_EQ(l.nz, 6);
+  EXPECT_EQ(l.row_shift, 15);
+  EXPECT_TRUE(l.half_height);
+  EXPECT_DOUBLE_EQ(l.pillar_radius, 25);
+  EXPECT_EQ(l.gap, 30);
+  EXPECT_EQ(l.depth, 12);
+  EXPECT_NEAR(l.length_scale, 18.974, 5e-4);
+  EXPECT_DOUBLE_EQ(l.cell_radius, 9.75);
+  EXPECT_NEAR(l.shear_modulus, 1.73154e-2, 5e-7);
+  EXPECT_NEAR(l.bending_modulus, 2.481e-3 * l.shear_modulus * 9.75 * 9.75, 1e-12);
+  EXPECT_DOUBLE_EQ(l.tau_outside, 1);
+  EXPECT_DOUBLE_EQ(l.tau_inside, 3);
+}
+
+// The habitual absolute values of this method at the paper's force density.
+TEST(Units, DefaultPenalties) {
+  const LatticeParameters l = to_lattice(Case{});
+  EXPECT_NEAR(l.local_area_modulus, 0.5, 1e-4);
+  EXPECT_NEAR(l.global_area_modulus, 1.0, 1e-4);
+  EXPECT_NEAR(l.volume_modulus, 1.0, 1e-4);
+  EXPECT_NEAR(l.repulsion_strength, 5e-3, 1e-6);
+  EXPECT_EQ(l.wall_repulsion_strength, 0);
+}
+
+TEST(Units, FullHeightDoublesTheLayers) {
+  Case c;
+  c.geometry.height = "full";
+  EXPECT_EQ(to_lattice(c).nz, 12);
+}
+
+// At fixed dimensionless numbers every modulus follows the force density.
+TEST(Units, ModuliScaleWithTheForceDensity) {
+  Case c;
+  const LatticeParameters once = to_lattice(c);
+  c.fluid.force_density *= 2;
+  const LatticeParameters twice = to_lattice(c);
+  for (const auto member : {&LatticeParameters::shear_modulus, &LatticeParameters::bending_modulus,
+                            &LatticeParameters::local_area_modulus, &LatticeParameters::global_area_modulus,
+                            &LatticeParameters::volume_modulus, &LatticeParameters::repulsion_strength}) {
+    EXPECT_DOUBLE_EQ(twice.*member, 2 * once.*member);
+  }
+}
+
+// Dimensionless ratios do not depend on the lattice.
+TEST(Units, RefinementKeepsDimensionlessNumbers) {
+  Case c;
+  const LatticeParameters coarse = to_lattice(c);
+  c.fluid.lattice_spacing_um /= 2;
+  const LatticeParameters fine = to_lattice(c);
+  EXPECT_EQ(fine.nx, 2 * coarse.nx);
+  EXPECT_EQ(fine.row_shift, 2 * coarse.row_shift);
+  const auto capillary = [](const LatticeParameters& l) { return l.tension_scale / l.shear_modulus; };
+  EXPECT_NEAR(capillary(fine), capillary(coarse), 1e-12);
+  const auto bending = [](const LatticeParameters& l) {
+    return l.bending_modulus / (l.shear_modulus * l.cell_radius * l.cell_radius);
+  };
+  EXPECT_NEAR(bending(fine), bending(coarse), 1e-15);
+}
+
+TEST(Units, NearlyWholeNumbersAreRounded) {
+  Case c;
+  c.fluid.lattice_spacing_um = 0.4 / 3;
+  c.geometry.row_shift_um = 4.4;
+  const LatticeParameters l = to_lattice(c);
+  EXPECT_EQ(l.nx, 240);
+  EXPECT_EQ(l.row_shift, 33);
+  EXPECT_EQ(l.nz, 18);
+}
+
+// p' = Ca kS / (l r): 0.18 bar/m at Ca = 0.1, 2.7 bar/m at Ca = 1.5 for healthy cells in water.
+TEST(Units, PressureGradient) {
+  Case c;
+  c.cell.capillary_number = 0.1;
+  EXPECT_NEAR(to_si(c).pressure_gradient_Pa_per_m * 1e-5, 0.179, 1e-3);
+  c.cell.capillary_number = 1.5;
+  EXPECT_NEAR(to_si(c).pressure_gradient_Pa_per_m * 1e-5, 2.69, 1e-2);
+}
+
+TEST(Units, SiScalesAreConsistent) {
+  const Case c;
+  const LatticeParameters l = to_lattice(c);
+  const double eta = 1e-3, dx = 1e-6 * l.um_per_lu;
+  const SiScales si = to_si(c, eta);
+  EXPECT_NEAR(si.velocity_m_per_s_per_lu * si.time_step_s, dx, 1e-12 * dx);
+  // Stokes flow: u = p' / resistance in both systems of units, for any lattice velocity.
+  const double u_lu = 1e-3;
+  const double resistance = l.force_density / u_lu * si.resistance_Pa_s_per_m2_per_lu;
+  EXPECT_NEAR(si.pressure_gradient_Pa_per_m / resistance, u_lu * si.velocity_m_per_s_per_lu,
+              1e-12 * u_lu * si.velocity_m_per_s_per_lu);
+}
+
+// Scenes without pillars or gap must not divide by zero.
+TEST(Units, NoGapGivesNoScales) {
+  Case c;
+  c.geometry.pillar_radius_um = c.geometry.pitch_um / 2;
+  EXPECT_EQ(to_lattice(c).shear_modulus, 0);
+  const SiScales si = to_si(c);
+  EXPECT_TRUE(std::isfinite(si.velocity_m_per_s_per_lu));
+  EXPECT_TRUE(std::isfinite(si.time_step_s));
+}
+
+}  // namespace
+}  // namespace dld

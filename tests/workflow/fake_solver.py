@@ -1,0 +1,176 @@
+"""A stand-in for the solver's `run` command: writes files of the documented format with made-up, smooth data.
+
+The pipeline's tests run the scripts on it; nothing here is physics. As a program it takes the arguments of
+`dld run`, so that the whole pipeline can be tried without the solver (--config dld=...).
+"""
+
+import json
+import math
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+
+def separation_um(epsilon):
+    """A separation law to be found again by the fits: 2 s = 19 eps^0.75."""
+    return 9.5 * epsilon**0.75
+
+
+def sphere(frequency):
+    """Vertices and faces of a coarse latitude-longitude sphere of unit radius."""
+    rings, sectors = 2 * frequency, 4 * frequency
+    theta, phi = np.linspace(0, math.pi, rings + 1), 2 * math.pi * np.arange(sectors) / sectors
+    ring = [
+        np.stack([np.sin(t) * np.cos(phi), np.sin(t) * np.sin(phi), np.full(sectors, np.cos(t))], 1)
+        for t in theta
+    ]
+    faces = []
+    for i in range(rings):
+        for j in range(sectors):
+            a, b = i * sectors + j, i * sectors + (j + 1) % sectors
+            faces += [(a, a + sectors, b), (b, a + sectors, b + sectors)]
+    return np.concatenate(ring), np.array(faces, dtype=np.int32)
+
+
+def put(file, name, values):
+    """A dataset with the attributes that every dataset of the solver has."""
+    dataset = file.create_dataset(name, data=np.asarray(values))
+    dataset.attrs.update({"unit": "1", "description": "made up"})
+
+
+def streamlines(case, file):
+    """Flow field and numbers of the scene `streamlines`."""
+    geometry, dx = case["geometry"], case["fluid"]["lattice_spacing_um"]
+    nodes = round(geometry["pitch_um"] / dx)
+    x = (np.arange(nodes) - nodes // 2) * dx
+    gx, gy = np.meshgrid(x, x, indexing="ij")
+    r2 = np.maximum(gx**2 + gy**2, 1e-9)
+    inside = r2 <= geometry["pillar_radius_um"] ** 2
+    u = 1 - 100 * (gx**2 - gy**2) / r2**2
+    v = -200 * gx * gy / r2**2
+    velocity = 1e-3 * np.where(inside[..., None], 0, np.stack([u, v], -1))
+    epsilon = geometry["row_shift_um"] / geometry["pitch_um"]
+    s = separation_um(epsilon) + 0.05 * dx**2
+    put(file, "flow/x_um", x)
+    put(file, "flow/y_um", x)
+    put(file, "flow/velocity", velocity)
+    put(file, "flow/solid", inside.astype(np.uint8))
+    line = np.stack([np.linspace(0, 22, 30), 10 + s + np.linspace(0, 1, 30)], 1)
+    put(file, "separatrix/downstream", line)
+    put(file, "separatrix/upstream", -line)
+    force = case["fluid"]["force_density"]
+    return "converged", {
+        "row_shift_um": geometry["row_shift_um"],
+        "epsilon": epsilon,
+        "dx_um": dx,
+        "separation_um": s,
+        "separation_upper_um": s + 0.001,
+        "resistance_Pa_s_per_m2": 8.8e8 * (1 + 0.02 * dx**2),
+        "lateral_velocity_ratio": 0.01,
+        "mean_velocity": 40 * force * (1 + 0.1 * force),
+        "superficial_velocity": 28 * force,
+        "reynolds_number": 5000 * force,
+        "reynolds_number_superficial": 3500 * force,
+        "reynolds_number_slit": 8000 * force,
+        "density_variation": 1e-3,
+        "lateral_force_ratio": 0.0,
+    }
+
+
+def cell(case):
+    """A flattened sphere of the cell's radius."""
+    vertices, faces = sphere(case["cell"]["mesh_frequency"])
+    return vertices * case["cell"]["radius_um"] * np.array([1, 1, 0.3]), faces
+
+
+def stretching(case, file):
+    """Ellipsoids for the scene `stretching`."""
+    vertices, faces = cell(case)
+    forces = np.array(case["stretching"]["forces_pN"], float)
+    softness = case["cell"]["skalak_denominator"] / 12
+    axial = 7.8 + 9 * (1 - np.exp(-forces * softness / 70))
+    transverse = 7.8 - 3.5 * (1 - np.exp(-forces * softness / 50))
+    put(file, "membrane/reference", vertices)
+    put(file, "membrane/faces", faces)
+    for name, values in (("force_pN", forces), ("axial_um", axial), ("transverse_um", transverse)):
+        put(file, f"stretching/{name}", values)
+    for number, scale in enumerate(np.stack([axial / 7.8, transverse / 7.8, np.ones_like(forces)], 1)):
+        put(file, f"membrane/force_{number:03d}/vertices", vertices * scale)
+    return "converged", {
+        "skalak_denominator": case["cell"]["skalak_denominator"],
+        "mesh_frequency": case["cell"]["mesh_frequency"],
+        "method": case["stretching"]["method"],
+        "force_pN": list(forces),
+        "axial_um": list(axial),
+        "transverse_um": list(transverse),
+    }
+
+
+def passage(case, file):
+    """A made-up trajectory: displaced below a line in the plane of row shift and capillary number."""
+    vertices, faces = cell(case)
+    pitch, shift = case["geometry"]["pitch_um"], case["geometry"]["row_shift_um"]
+    capillary = case["cell"]["capillary_number"]
+    label = "displaced" if shift < 2.9 + 5.4 * math.exp(-1.72 * capillary) else "zigzag"
+    if capillary > 1 and shift > 8:
+        return "diverged", {
+            "failing_quantity": "speed",
+            "failing_value": 0.4,
+            "failing_step": 17,
+            "steps": 17,
+        }
+    rows = 8
+    x = np.linspace(-pitch / 2, (rows - 0.5) * pitch, rows * 50)
+    slope = shift / pitch if label == "displaced" else 0.0
+    y = 15 + slope * x + 1.5 * np.sin(2 * math.pi * x / pitch)
+    names = [
+        "extent_x_um",
+        "extent_y_um",
+        "extent_z_um",
+        "area_change",
+        "volume_change",
+        "min_face_ratio",
+        "film_um",
+    ]
+    columns = {"step": np.arange(len(x)) * 40, "x_um": x, "y_um": y, "z_um": 0 * x} | dict.fromkeys(
+        names, 0 * x + 1
+    )
+    for name, values in columns.items():
+        put(file, f"trajectory/{name}", values)
+    put(file, "crossings/row", np.arange(rows))
+    put(file, "crossings/step", np.arange(rows) * (2000 + round(2000 * capillary)))
+    put(file, "membrane/faces", faces)
+    put(file, "membrane/reference", vertices)
+    put(file, "membrane/crossing_000/vertices", vertices * np.array([1.1, 0.8, 1.0]))
+    extent = 7 - 2.5 * capillary
+    summary = {"d_perp_um": extent, "d_perp_at_centre_um": extent - 0.1, "centre_um": 3.0, "film_um": 0.5}
+    summary |= {
+        "area_change": 0.002,
+        "volume_change": 1e-6,
+        "min_face_ratio": 0.7,
+        "max_local_area_strain": 0.05,
+    }
+    summary |= {"crossings": rows, "zigs": 2 * (label == "zigzag"), "defining_crossing": rows - 1}
+    return label, summary | {"density_variation": 1e-3, "capillary_number": capillary}
+
+
+SCENES = {"streamlines": streamlines, "stretching": stretching, "passage": passage}
+
+
+def run(case, out, summary_path):
+    """Writes the HDF5 file and the summary of a case; returns the exit status."""
+    with h5py.File(out, "w") as file:
+        status, summary = SCENES[case["scene"]](case, file)
+        file.attrs["status"] = status
+        file.attrs["provenance"] = json.dumps({"commit": "made up"})
+    summary = {"scene": case["scene"], "status": status, "steps": 1000, "node_updates": 1000000} | summary
+    Path(summary_path).write_text(json.dumps(summary), encoding="utf-8")
+    return 3 if status == "diverged" else 0
+
+
+if __name__ == "__main__":
+    _, case_path, out_path = sys.argv[1:4]
+    case = json.loads(Path(case_path).read_text(encoding="utf-8"))
+    sys.exit(run(case, out_path, sys.argv[sys.argv.index("--summary") + 1]))

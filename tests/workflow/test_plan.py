@@ -1,0 +1,72 @@
+"""Plans: tiers, resolved cases, identities."""
+
+import copy
+
+import pytest
+from study import plan as planning
+
+CASE_SCHEMA = planning.read_json(planning.SCHEMAS / "case.schema.json")
+
+
+def identity(case, model=1):
+    return planning.run_id(planning.resolved(case, CASE_SCHEMA), model)
+
+
+@pytest.mark.parametrize("tier", ["smoke", "paper"])
+def test_every_tier_has_a_valid_plan_with_all_groups(study, tier):
+    plan = planning.make_plan(study, tier, CASE_SCHEMA)
+    assert {run["group"] for run in plan["runs"]} == {"streamlines", "stokes", "stretching", "passages"}
+    for run in plan["runs"]:
+        assert planning.problems(run["case"], CASE_SCHEMA) == []
+
+
+def test_unknown_tier_is_named_with_the_known_ones(study):
+    with pytest.raises(ValueError, match=r"no tier 'big'.*paper, smoke"):
+        planning.make_plan(study, "big", CASE_SCHEMA)
+
+
+def test_identity_does_not_depend_on_order_spelling_or_written_defaults():
+    plain = {"scene": "passage", "geometry": {"row_shift_um": 6}, "cell": {"capillary_number": 0.5}}
+    spelled = {
+        "cell": {"capillary_number": 0.5, "radius_um": 3.9},
+        "geometry": {"pitch_um": 32, "row_shift_um": 6.0},
+        "scene": "passage",
+    }
+    assert identity(plain) == identity(spelled)
+
+
+def test_identity_depends_on_every_parameter_of_the_scene_and_on_the_solver_model():
+    plain = {"scene": "streamlines", "geometry": {"row_shift_um": 6.0}}
+    other = {"scene": "streamlines", "geometry": {"row_shift_um": 6.0}, "fluid": {"collision": "bgk"}}
+    assert len({identity(plain), identity(other), identity(plain, 2)}) == 3
+
+
+def test_identity_ignores_sections_that_the_scene_does_not_read():
+    with_cell = {"scene": "streamlines", "cell": {"capillary_number": 1.2}}
+    assert identity({"scene": "streamlines"}) == identity(with_cell)
+
+
+def test_two_variants_of_the_same_point_share_a_run(study):
+    tier = copy.deepcopy(study["tiers"]["smoke"])
+    tier["streamlines"]["variants"]["twin"] = tier["streamlines"]["variants"]["accurate"]
+    plan = planning.make_plan({"solver_model": 1, "tiers": {"t": tier}}, "t", CASE_SCHEMA)
+    runs = [run for run in plan["runs"] if run["labels"].get("variant") in ("accurate", "twin")]
+    assert len({run["id"] for run in runs}) == len(runs) / 2
+    assert len(planning.ids(plan, "streamlines")) < sum(run["group"] == "streamlines" for run in plan["runs"])
+
+
+def test_row_shifts_and_depths_are_whole_on_every_lattice(study):
+    for tier in study["tiers"]:
+        for run in planning.make_plan(study, tier, CASE_SCHEMA)["runs"]:
+            spacing = run["case"]["fluid"]["lattice_spacing_um"]
+            geometry = run["case"]["geometry"]
+            lengths = [geometry["row_shift_um"], geometry["pitch_um"], 0.5 * geometry["depth_um"]]
+            if run["group"] != "stretching":
+                assert all(abs(length / spacing - round(length / spacing)) < 1e-6 for length in lengths), run
+
+
+def test_merged_overlays_leaf_by_leaf():
+    assert planning.merged({"a": {"b": 1, "c": 2}}, {"a": {"c": 3}, "d": 4}) == {
+        "a": {"b": 1, "c": 3},
+        "d": 4,
+    }

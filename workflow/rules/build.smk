@@ -1,0 +1,30 @@
+"""The solver, built with CMake into build/."""
+
+from pathlib import Path
+
+# Another binary can be tried with --config dld=PATH.
+DLD = config.get("dld", "build/dld")
+
+
+def solver_sources():
+    """Everything that the binary is made from, by suffix."""
+    found = Path("solver").rglob("*")
+    return sorted(str(path) for path in found if path.suffix in {".cpp", ".hpp", ".in"})
+
+
+rule build:
+    input:
+        sources=solver_sources(),
+        cmake="CMakeLists.txt",
+    output:
+        "build/dld",
+    log:
+        f"{LOGS}/build.log",
+    threads: 2
+    shell:
+        """
+        exec > {log} 2>&1
+        cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
+        cmake --build build --target dld -j {threads}
+        touch {output}
+        """

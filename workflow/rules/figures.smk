@@ -1,0 +1,183 @@
+"""The figures: each as PDF and PNG with the CSV that it is drawn from beside it.
+
+Data rules read HDF5 and write CSV; drawing rules read CSV alone.
+"""
+
+FIGURE_NAMES = ["fig02", "fig03", "fig04", "fig05", "fig06", "fig06_classes", "table01"]
+FIGURE_FILES = expand("{folder}/{name}.{ext}", folder=FIGURES, name=FIGURE_NAMES, ext=["pdf", "png", "csv"])
+
+
+rule figure_geometry:
+    input:
+        plan=rules.plan.output,
+        script=f"{SCRIPTS}/fig02_geometry.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig02", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/fig02.log",
+    shell:
+        "python {input.script} --plan {input.plan} --csv {output.csv} --output {output.pdf} 2> {log}"
+
+
+rule cell_shapes:
+    input:
+        plan=rules.plan.output,
+        runs=of_runs("run.h5", "passages", "stretching"),
+        script=f"{SCRIPTS}/cell_shapes.py",
+        package=PACKAGE,
+    output:
+        fig03=f"{FIGURES}/fig03.csv",
+        fig05=f"{FIGURES}/fig05_shapes.csv",
+        faces=f"{FIGURES}/faces.csv",
+    log:
+        f"{LOGS}/cell_shapes.log",
+    params:
+        runs=RUNS,
+    shell:
+        """
+        python {input.script} --plan {input.plan} --runs {params.runs} --fig03 {output.fig03} \
+            --fig05 {output.fig05} --faces {output.faces} 2> {log}
+        """
+
+
+rule figure_mesh:
+    input:
+        plan=rules.plan.output,
+        shapes=rules.cell_shapes.output.fig03,
+        faces=rules.cell_shapes.output.faces,
+        script=f"{SCRIPTS}/fig03_mesh.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig03", pdf=".pdf", png=".png"),
+    log:
+        f"{LOGS}/fig03.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --shapes {input.shapes} --faces {input.faces} \
+            --output {output.pdf} 2> {log}
+        """
+
+
+rule flow_fields:
+    input:
+        plan=rules.plan.output,
+        runs=of_runs("run.h5", "streamlines"),
+        script=f"{SCRIPTS}/flow_fields.py",
+        package=PACKAGE,
+    output:
+        fields=f"{FIGURES}/fig04.csv",
+        separatrices=f"{FIGURES}/fig04_separatrices.csv",
+    log:
+        f"{LOGS}/flow_fields.log",
+    params:
+        runs=RUNS,
+    shell:
+        """
+        python {input.script} --plan {input.plan} --runs {params.runs} --fields {output.fields} \
+            --separatrices {output.separatrices} 2> {log}
+        """
+
+
+rule figure_streamlines:
+    input:
+        plan=rules.plan.output,
+        fields=rules.flow_fields.output.fields,
+        separatrices=rules.flow_fields.output.separatrices,
+        script=f"{SCRIPTS}/fig04_streamlines.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig04", pdf=".pdf", png=".png"),
+    log:
+        f"{LOGS}/fig04.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --fields {input.fields} \
+            --separatrices {input.separatrices} --output {output.pdf} 2> {log}
+        """
+
+
+rule figure_tweezer:
+    input:
+        plan=rules.plan.output,
+        table=rules.stretching_table.output,
+        experiment=EXPERIMENT,
+        shapes=rules.cell_shapes.output.fig05,
+        faces=rules.cell_shapes.output.faces,
+        script=f"{SCRIPTS}/fig05_tweezer.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig05", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/fig05.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --experiment {input.experiment} \
+            --shapes {input.shapes} --faces {input.faces} --csv {output.csv} --output {output.pdf} 2> {log}
+        """
+
+
+rule trajectories:
+    input:
+        plan=rules.plan.output,
+        runs=of_runs("run.h5", "passages"),
+        script=f"{SCRIPTS}/trajectories.py",
+        package=PACKAGE,
+    output:
+        f"{FIGURES}/fig06.csv",
+    log:
+        f"{LOGS}/trajectories.log",
+    params:
+        runs=RUNS,
+    shell:
+        "python {input.script} --plan {input.plan} --runs {params.runs} --output {output} 2> {log}"
+
+
+rule figure_trajectories:
+    input:
+        plan=rules.plan.output,
+        trajectories=rules.trajectories.output,
+        script=f"{SCRIPTS}/fig06_trajectories.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig06", pdf=".pdf", png=".png"),
+    log:
+        f"{LOGS}/fig06.log",
+    shell:
+        "python {input.script} --plan {input.plan} --trajectories {input.trajectories} --output {output.pdf} 2> {log}"
+
+
+rule figure_classes:
+    input:
+        plan=rules.plan.output,
+        table=rules.passages_table.output,
+        script=f"{SCRIPTS}/fig06_classes.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig06_classes", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/fig06_classes.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --csv {output.csv} \
+            --output {output.pdf} 2> {log}
+        """
+
+
+rule figure_separation:
+    input:
+        plan=rules.plan.output,
+        table=rules.streamline_table.output,
+        fits=rules.separation_law_fits.output,
+        claims=CLAIMS,
+        script=f"{SCRIPTS}/table01_separation.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/table01", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/table01.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --fits {input.fits} \
+            --claims {input.claims} --csv {output.csv} --output {output.pdf} 2> {log}
+        """

@@ -1,0 +1,67 @@
+"""The flow without cells: separation distances, power laws, Stokes checks, units."""
+
+FLOW_TABLES = expand(
+    "{folder}/{name}.csv",
+    folder=TABLES,
+    name=["streamline_separation", "fits", "stokes_checks", "units"],
+)
+
+
+rule streamline_table:
+    input:
+        plan=rules.plan.output,
+        runs=of_runs("summary.json", "streamlines"),
+        script=f"{SCRIPTS}/streamline_table.py",
+        package=PACKAGE,
+    output:
+        f"{TABLES}/streamline_separation.csv",
+    log:
+        f"{LOGS}/streamline_table.log",
+    params:
+        runs=RUNS,
+    shell:
+        "python {input.script} --plan {input.plan} --runs {params.runs} --output {output} 2> {log}"
+
+
+rule separation_law_fits:
+    input:
+        table=rules.streamline_table.output,
+        claims=CLAIMS,
+        script=f"{SCRIPTS}/separation_law_fits.py",
+        package=PACKAGE,
+    output:
+        f"{TABLES}/fits.csv",
+    log:
+        f"{LOGS}/separation_law_fits.log",
+    shell:
+        "python {input.script} --table {input.table} --claims {input.claims} --output {output} 2> {log}"
+
+
+rule stokes_checks:
+    input:
+        plan=rules.plan.output,
+        runs=of_runs("summary.json", "stokes") + of_runs("run.h5", "stokes"),
+        script=f"{SCRIPTS}/stokes_checks.py",
+        package=PACKAGE,
+    output:
+        f"{TABLES}/stokes_checks.csv",
+    log:
+        f"{LOGS}/stokes_checks.log",
+    params:
+        runs=RUNS,
+    shell:
+        "python {input.script} --plan {input.plan} --runs {params.runs} --output {output} 2> {log}"
+
+
+rule units_table:
+    input:
+        table=rules.streamline_table.output,
+        claims=CLAIMS,
+        script=f"{SCRIPTS}/units_table.py",
+        package=PACKAGE,
+    output:
+        f"{TABLES}/units.csv",
+    log:
+        f"{LOGS}/units_table.log",
+    shell:
+        "python {input.script} --table {input.table} --claims {input.claims} --output {output} 2> {log}"

@@ -1,0 +1,35 @@
+"""Figure 3: the mesh of the cell, undeformed and deformed at a pillar line."""
+
+import argparse
+
+from study import style
+from study.plan import read_json
+from study.surface import draw_cell
+from study.tables import read_table
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--plan", required=True)
+    parser.add_argument("--shapes", required=True)
+    parser.add_argument("--faces", required=True)
+    parser.add_argument("--output", required=True)
+    arguments = parser.parse_args()
+    plan = read_json(arguments.plan)
+    shapes, faces = read_table(arguments.shapes), read_table(arguments.faces)
+    corners = faces[faces.figure == "fig03"][["a", "b", "c"]].to_numpy()
+    place = plan["figures"]["deformed_cell"]
+    titles = {
+        "undeformed": f"undeformed, {len(corners)} faces",
+        "deformed": f"at a pillar, Ca = {place['capillary_number']:g}, $d$ = {place['row_shift_um']:.1f} μm",
+    }
+    figure = style.new_figure(style.PAGE, 2.3)
+    for column, (shape, title) in enumerate(titles.items(), start=1):
+        axes = figure.add_subplot(1, 2, column, projection="3d")
+        vertices = shapes[shapes["shape"] == shape][["x_um", "y_um", "z_um"]].to_numpy()
+        draw_cell(axes, vertices, corners, half_width=4.9)
+        axes.set_title(title, y=-0.02)
+    style.save(figure, arguments.output, plan["note"])
+
+
+main()

@@ -1,0 +1,55 @@
+"""Fits the separation law 2 s = A epsilon^B to every variant of the flow and to the paper's printed table."""
+
+import argparse
+
+import numpy as np
+from study.claims import load_claims
+from study.fits import fit_power_law
+from study.tables import read_table, write_table
+
+PARAMETERS = ["A_um", "B"]
+PITCH_UM = 32.0  # of the printed table
+
+
+def fitted(name, epsilon, separation_um, paper):
+    """Rows of one fit, or none if it has fewer than three points."""
+    if len(epsilon) < 3:
+        return []
+    values, errors = fit_power_law(epsilon, 2 * separation_um)
+    return [
+        {
+            "name": name,
+            "parameter": parameter,
+            "value": value,
+            "std_error": error,
+            "paper_value": paper[parameter],
+        }
+        for parameter, value, error in zip(PARAMETERS, values, errors, strict=True)
+    ]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--table", required=True)
+    parser.add_argument("--claims", required=True)
+    parser.add_argument("--output", required=True)
+    arguments = parser.parse_args()
+    claims = load_claims(arguments.claims)
+    law, printed = claims["separation-law"]["value"], claims["table-1"]["value"]
+    table = read_table(arguments.table)
+    table = table[(table.status == "converged") & (table.s_um > 0)]
+    rows = []
+    for variant, group in table.groupby("variant"):
+        rows += fitted(f"separation-law/{variant}", group.epsilon.to_numpy(), group.s_um.to_numpy(), law)
+    shifts, separations = np.array(sorted((float(d), s) for d, s in printed.items())).T
+    rows += fitted("separation-law/printed-table", shifts / PITCH_UM, separations, law)
+    write_table(
+        rows,
+        ["name", "parameter", "value", "std_error", "paper_value"],
+        arguments.output,
+        ["name", "parameter"],
+        {"value": ".4f", "std_error": ".4f"},
+    )
+
+
+main()

@@ -1,0 +1,54 @@
+"""Extracts the trajectories of Figure 6: centre of the cell, thinned out, up to the last row shown."""
+
+import argparse
+
+from study.plan import read_json
+from study.runs import load_runs
+from study.tables import write_table
+
+COLUMNS = ["row_shift_um", "capillary_number", "class", "step", "x_um", "y_um"]
+SPACING_UM = 0.5  # smallest distance along x between two points
+
+
+def thinned(steps, x, y, last_x):
+    """Points at least SPACING_UM apart along x, up to last_x."""
+    previous = float("-inf")
+    for step, at_x, at_y in zip(steps, x, y, strict=True):
+        if at_x > last_x:
+            return
+        if at_x - previous >= SPACING_UM:
+            previous = at_x
+            yield int(step), float(at_x), float(at_y)
+
+
+def rows_of(run, rows_shown):
+    """Table rows of one run."""
+    steps, x, y = (run.data(f"trajectory/{name}") for name in ("step", "x_um", "y_um"))
+    if steps is None:  # diverged before the first sample
+        return
+    last_x = (rows_shown - 0.5) * run.case["geometry"]["pitch_um"]
+    label = {
+        "row_shift_um": run.row_shift_um,
+        "capillary_number": run.case["cell"]["capillary_number"],
+        "class": run.summary["status"],
+    }
+    for step, at_x, at_y in thinned(steps, x, y, last_x):
+        yield label | {"step": step, "x_um": at_x, "y_um": at_y}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--plan", required=True)
+    parser.add_argument("--runs", required=True)
+    parser.add_argument("--output", required=True)
+    arguments = parser.parse_args()
+    figures = read_json(arguments.plan)["figures"]
+    runs = load_runs(arguments.plan, arguments.runs, "passages")
+    chosen = [run for run in runs if run.labels["sweep"] == figures["trajectory_sweep"]]
+    rows = [row for run in chosen for row in rows_of(run, figures["trajectory_rows"])]
+    styles = {"x_um": ".2f", "y_um": ".3f", "row_shift_um": ".1f"}
+    keys = ["row_shift_um", "capillary_number", "step"]
+    write_table(rows, COLUMNS, arguments.output, keys, styles)
+
+
+main()
