@@ -124,17 +124,25 @@ class LinkBuilder {
   static LinkTable finish(std::vector<CopyRun>& copies, std::vector<Combination> combinations) {
     std::sort(copies.begin(), copies.end(),
               [](const CopyRun& a, const CopyRun& b) { return a.destination < b.destination; });
-    LinkTable table;
+    std::vector<CopyRun> runs;
     for (const CopyRun& next : copies) {
-      if (!table.copies.empty()) {
-        CopyRun& last = table.copies.back();
-        if (next.destination == last.destination + last.length && next.source == last.source + last.length &&
-            next.constant == last.constant) {
-          ++last.length;
-          continue;
-        }
+      const bool continues = !runs.empty() && next.destination == runs.back().destination + runs.back().length &&
+                             next.source == runs.back().source + runs.back().length &&
+                             next.constant == runs.back().constant;
+      if (continues) {
+        ++runs.back().length;
+      } else {
+        runs.push_back(next);
       }
-      table.copies.push_back(next);
+    }
+    LinkTable table;
+    for (const CopyRun& run : runs) {
+      constexpr std::uint32_t worth_a_loop = 8;
+      if (run.length >= worth_a_loop || run.constant != 0.0) {
+        table.runs.push_back(run);
+        continue;
+      }
+      for (std::uint32_t k = 0; k < run.length; ++k) table.copies.push_back({run.destination + k, run.source + k});
     }
     std::sort(combinations.begin(), combinations.end(), [](const Combination& a, const Combination& b) {
       return a.destination < b.destination;

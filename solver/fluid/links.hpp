@@ -42,6 +42,11 @@ struct CopyRun {
   double constant;
 };
 
+/// destination = source: copies that found no neighbours to run with.
+struct Copy {
+  std::uint32_t destination, source;
+};
+
 /// destination = sum of weight * source.
 struct Combination {
   std::uint32_t destination;
@@ -50,7 +55,8 @@ struct Combination {
 };
 
 struct LinkTable {
-  std::vector<CopyRun> copies;
+  std::vector<CopyRun> runs;
+  std::vector<Copy> copies;
   std::vector<Combination> combinations;
 };
 

@@ -9,7 +9,7 @@ namespace dld {
 class Circle final : public PillarShape {
  public:
   explicit Circle(const PillarSize& size) : radius_(size.radius) {}
-  double signed_distance(double x, double y) const override { return std::hypot(x, y) - radius_; }
+  double signed_distance(double x, double y) const override { return std::sqrt(x * x + y * y) - radius_; }
   double bounding_radius() const override { return radius_; }
 
  private:

@@ -1,7 +1,7 @@
 """Solver runs, one folder each, named by the hash of the resolved case.
 
-The solver and the plan are `ancient`: a run depends on its case alone, which its name identifies. A change of
-the solver that changes results raises `solver_model` in params/study.json, and with it every identity.
+The solver and the study are `ancient`: a run depends on its case alone, which its name identifies. A change
+of the solver that changes results raises `solver_model` in params/study.json, and with it every identity.
 """
 
 
@@ -24,7 +24,7 @@ rule plan:
 rule solve:
     input:
         dld=ancient(DLD),
-        plan=ancient(rules.plan.output),
+        study=ancient(STUDY),
         writer=ancient(f"{SCRIPTS}/write_case.py"),
         runner=ancient(f"{SCRIPTS}/run_case"),
     output:
@@ -35,10 +35,12 @@ rule solve:
         f"{RUNS}/{{run}}/run.log",
     benchmark:
         f"{RUNS}/{{run}}/benchmark.tsv"
+    params:
+        tier=TIER,
     threads: 1
     shell:
         """
-        python {input.writer} --plan {input.plan} --run {wildcards.run} --output {output.case}
+        python {input.writer} --study {input.study} --tier {params.tier} --run {wildcards.run} > {output.case}
         {input.runner} {input.dld} {output.case} {output.h5} {output.summary} {threads} {log}
         """
 

@@ -11,13 +11,13 @@ COLUMNS = ["shape", "vertex", "x_um", "y_um", "z_um"]
 
 
 def passage_shapes(run):
-    """Undeformed shape and the shape at the last recorded pillar line of a passage."""
+    """Undeformed shape and the shape at the crossing that defines D_perp (else the last one recorded)."""
     with run.open() as file:
-        crossings = sorted(name for name in file["membrane"] if name.startswith("crossing_"))
-        deformed = (
-            file[f"membrane/{crossings[-1]}/vertices"][:] if crossings else file["membrane/reference"][:]
-        )
-        return {"undeformed": file["membrane/reference"][:], "deformed": deformed}, file["membrane/faces"][:]
+        names = sorted(name for name in file["membrane"] if name.startswith("crossing_"))
+        wanted = f"crossing_{run.summary.get('defining_crossing', -1):03d}"
+        chosen = f"{wanted if wanted in names else names[-1]}/vertices" if names else "reference"
+        shapes = {"undeformed": file["membrane/reference"][:], "deformed": file[f"membrane/{chosen}"][:]}
+        return shapes, file["membrane/faces"][:]
 
 
 def stretched_shapes(run, force_pN):

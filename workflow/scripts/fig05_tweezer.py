@@ -41,11 +41,11 @@ def draw_diameters(axes, static, coupled, experiment):
         look = {"color": style.PURPLE, "marker": "x", "ls": "none", "zorder": 5}
         axes.plot(coupled.force_pN, coupled.axial_um, label=f"through the fluid, $k$ = {k:g}", **look)
         axes.plot(coupled.force_pN, coupled.transverse_um, **look)
-    axes.set(xlabel="force / pN", ylabel="diameter / μm", ylim=(0, 24), xlim=(-3, 203))
-    axes.text(201, 18.6, "axial", ha="right")
-    axes.text(201, 2.6, "transverse", ha="right")
+    axes.set(xlabel="force / pN", ylabel="diameter / μm", ylim=(0, 29), xlim=(-3, 203))
+    axes.text(201, static.axial_um.max() + 0.7, "axial", ha="right")
+    axes.text(201, 2.2, "transverse", ha="right")
     axes.set_title("(b)", loc="left")
-    axes.legend(loc="upper left", handlelength=2.2)
+    axes.legend(loc="upper left", handlelength=2.2, ncols=2, columnspacing=1.0)
 
 
 def main():

@@ -16,10 +16,9 @@ def y_range(panel):
     return middle - half, middle + half
 
 
-def draw(axes, panel, shift, number):
+def draw(axes, panel, shift, number, x_range):
     """One panel; the legend states the class of every cell."""
     low, high = y_range(panel)
-    x_range = (-PITCH / 2, panel.x_um.max() + 2)
     style.add_pillars(axes, RADIUS, PITCH, shift, x_range, (low, high))
     for index, (capillary, line) in enumerate(panel.groupby("capillary_number")):
         colour, dash = style.SERIES[index % len(style.SERIES)]
@@ -45,7 +44,7 @@ def main():
     figure = style.new_figure(style.PAGE, height)
     grid = figure.subplots(len(panels), 1, squeeze=False, gridspec_kw={"height_ratios": spans})[:, 0]
     for number, (axes, panel, shift) in enumerate(zip(grid, panels, shifts, strict=True)):
-        draw(axes, panel, shift, number)
+        draw(axes, panel, shift, number, (-PITCH / 2, table.x_um.max() + 2))
     grid[-1].set_xlabel("$x$ / μm")
     style.save(figure, arguments.output, read_json(arguments.plan)["note"])
 

@@ -1,0 +1,117 @@
+/// The tables of everything that streaming finds outside the fluid.
+#include "fluid/links.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "fluid/d3q19.hpp"
+#include "support/fluid_box.hpp"
+
+namespace dld {
+namespace {
+
+using test::BoxSize;
+using test::unit_cell;
+
+/// Destination of every copy or combination, with the number of times it is written.
+std::map<std::uint32_t, int> destinations(const LinkTable& table) {
+  std::map<std::uint32_t, int> written;
+  for (const CopyRun& run : table.copies)
+    for (std::uint32_t k = 0; k < run.length; ++k) ++written[run.destination + k];
+  for (const Combination& c : table.combinations) ++written[c.destination];
+  return written;
+}
+
+std::set<std::uint32_t> sources(const LinkTable& table) {
+  std::set<std::uint32_t> read;
+  for (const CopyRun& run : table.copies)
+    for (std::uint32_t k = 0; k < run.length; ++k) read.insert(run.source + k);
+  for (const Combination& c : table.combinations) read.insert(c.source.begin(), c.source.end());
+  return read;
+}
+
+/// Links of fluid nodes whose other end is not a fluid node inside the box.
+std::size_t links_that_leave(const UnitCell& cell) {
+  std::size_t count = 0;
+  test::for_fluid_nodes(cell, [&](int x, int y, int z) {
+    for (int i = 1; i < d3q19::directions; ++i) {
+      const auto c = d3q19::c[static_cast<std::size_t>(i)];
+      const int a = x + c.x, b = y + c.y, d = z + c.z;
+      const bool inside = a >= 0 && a < cell.nx && b >= 0 && b < cell.ny && d >= 0 && d < cell.nz;
+      if (!inside || cell.is_solid(a, b, d)) ++count;
+    }
+  });
+  return count;
+}
+
+const std::vector<BoxSize>& boxes() {
+  static const std::vector<BoxSize> all{{12, 13, 4, 3.7, 5, HeightBoundary::walls},
+                                        {12, 13, 4, 3.7, 5, HeightBoundary::mirror_and_wall},
+                                        {12, 13, 4, 3.7, 0, HeightBoundary::periodic},
+                                        {12, 13, 1, 3.7, 7, HeightBoundary::periodic},
+                                        {2, 2, 6, 0, 0, HeightBoundary::walls}};
+  return all;
+}
+
+TEST(Links, EveryLinkThatLeavesTheFluidIsServedOnce) {
+  for (const BoxSize& size : boxes()) {
+    const UnitCell cell = unit_cell(size);
+    const LatticeLayout layout(cell.nx, cell.ny, cell.nz);
+    for (auto model : {WallModel::half_way, WallModel::interpolated}) {
+      const LinkTables tables = build_links(cell, layout, model, {});
+      for (const LinkTable* table : {&tables.before, &tables.after}) {
+        const auto written = destinations(*table);
+        EXPECT_EQ(written.size(), links_that_leave(cell));
+        for (const auto& [destination, times] : written) EXPECT_EQ(times, 1);
+        // In place: no slot may be both written and read, or the order of the table would matter.
+        for (const std::uint32_t source : sources(*table)) EXPECT_EQ(written.count(source), 0u);
+      }
+    }
+  }
+}
+
+TEST(Links, CombinationsHaveUnitSum) {
+  const UnitCell cell = unit_cell(boxes()[0]);
+  const LinkTables tables =
+      build_links(cell, LatticeLayout(cell.nx, cell.ny, cell.nz), WallModel::interpolated, {});
+  EXPECT_GT(tables.before.combinations.size(), 100u);
+  EXPECT_EQ(tables.before.combinations.size(), tables.after.combinations.size());
+  for (const Combination& c : tables.before.combinations) {
+    EXPECT_NEAR(c.weight[0] + c.weight[1], 1.0, 1e-14);
+    EXPECT_GT(c.weight[0], 0.0);
+    EXPECT_LE(c.weight[0], 1.0 + 1e-14);
+  }
+  EXPECT_TRUE(
+      build_links(cell, LatticeLayout(12, 13, 4), WallModel::half_way, {}).before.combinations.empty());
+}
+
+TEST(Links, MovingWallsAddMomentumAndNoMass) {
+  const UnitCell cell = unit_cell(boxes()[4]);
+  const LinkTables tables = build_links(cell, LatticeLayout(2, 2, 6), WallModel::half_way, {-0.01, 0.03});
+  double sum = 0, largest = 0;
+  for (const CopyRun& run : tables.before.copies) {
+    sum += run.constant * run.length;
+    largest = std::max(largest, run.constant);
+  }
+  EXPECT_NEAR(sum, 0, 1e-16);
+  // 6 w (c . U) with w = 1/36 on the diagonals.
+  EXPECT_NEAR(largest, 0.03 / 6, 1e-16);
+}
+
+TEST(Links, LayoutKeepsNodesGhostsAndDirectionsApart) {
+  const LatticeLayout layout(5, 17, 3);
+  std::set<std::uint32_t> slots;
+  for (int i = 0; i < d3q19::directions; ++i)
+    for (int x = -1; x <= 5; ++x)
+      for (int y = -1; y <= 17; ++y)
+        for (int z = -1; z <= 3; ++z) slots.insert(layout.slot(i, layout.node(x, y, z)));
+  EXPECT_EQ(slots.size(), static_cast<std::size_t>(19 * 7 * 19 * 5));
+  EXPECT_LT(*slots.rbegin(), 19 * layout.stride);
+  EXPECT_EQ(layout.node(2, 0, 1) % 16, 0u);
+  EXPECT_EQ(layout.stride / 16 % 2, 1u);
+}
+
+}  // namespace
+}  // namespace dld
