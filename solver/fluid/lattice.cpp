@@ -223,8 +223,8 @@ FlowStatistics Lattice<Real>::statistics() const {
       s.min_density_deviation = std::min(s.min_density_deviation, deviation);
       s.max_density_deviation = std::max(s.max_density_deviation, deviation);
       const double speed2 = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
-      // The comparison is written so that NaN is kept: a diverged flow must show.
-      if (!(speed2 <= s.max_speed)) s.max_speed = speed2;
+      // NaN is taken and then kept: a diverged flow must show.
+      if (speed2 > s.max_speed || std::isnan(speed2)) s.max_speed = speed2;
     }
   }
   const double n = static_cast<double>(fluid_nodes_);

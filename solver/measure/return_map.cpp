@@ -10,6 +10,8 @@ namespace {
 
 // A step has to be this many times the noise for its ratio to the next one to be known within a few per cent.
 constexpr double kClearOfNoise = 30;
+// Steps over which a map must have stayed in place before it counts as resting.
+constexpr int kRestingSteps = 4;
 
 }  // namespace
 
@@ -96,11 +98,22 @@ double ReturnMap::last_measurable_ratio() const {
   return 0;
 }
 
-bool ReturnMap::rests_at_noise() const {
-  const std::vector<double> d = last_steps(3);
+bool ReturnMap::rests() const {
+  const std::vector<double> d = last_steps(kRestingSteps);
   if (d.empty()) return false;
-  const bool small = std::all_of(d.begin(), d.end(), [&](double s) { return std::abs(s) < options_.noise; });
-  return small && std::abs(last_measurable_ratio()) < options_.largest_ratio;
+  double low = crossings_.back().gap_position, high = low, position = low;
+  for (std::size_t k = d.size(); k-- > 0;) {
+    position -= d[k];
+    low = std::min(low, position);
+    high = std::max(high, position);
+  }
+  if (high - low > 2 * options_.tolerance) return false;
+  // A creep through the bottleneck of a saddle-node keeps its direction; a state at rest goes both ways.
+  const bool up = std::any_of(d.begin(), d.end(), [](double s) { return s > 0; });
+  const bool down = std::any_of(d.begin(), d.end(), [](double s) { return s < 0; });
+  if (up && down) return true;
+  const bool still = std::all_of(d.begin(), d.end(), [&](double s) { return std::abs(s) < options_.noise; });
+  return still && std::abs(last_measurable_ratio()) < options_.largest_ratio;
 }
 
 int ReturnMap::last_row() const {
@@ -117,7 +130,7 @@ int ReturnMap::last_row() const {
 
 TrajectoryClass ReturnMap::classify() const {
   if (zigs() >= 2) return TrajectoryClass::zigzag;
-  if (fixed_point().proven || rests_at_noise()) return TrajectoryClass::displaced;
+  if (fixed_point().proven || rests()) return TrajectoryClass::displaced;
   return crossings_.back().row >= last_row() ? TrajectoryClass::undecided : TrajectoryClass::running;
 }
 

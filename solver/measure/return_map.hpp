@@ -82,7 +82,7 @@ class ReturnMap {
   /// The last count steps c_n - c_n-1 (oldest first), empty when they are not all bumps.
   std::vector<double> last_steps(int count) const;
   FixedPoint fixed_point() const;
-  bool rests_at_noise() const;
+  bool rests() const;
   /// Latest ratio of steps of which the earlier stands clear of the noise; 0 when there is none.
   double last_measurable_ratio() const;
   TrajectoryClass classify() const;

@@ -23,15 +23,16 @@ class NaiveFluid {
     density.assign(nodes, 1.0);
     incoming_.assign(nodes, {});
     post_.assign(nodes, {});
+    for (int x = 0; x < size.nx; ++x)
+      for (int y = 0; y < size.ny; ++y)
+        solid_.push_back(size.radius > 0 && nearest_pillar(x + x0_, y + y0_) <= size.radius);
   }
 
   std::size_t index(int x, int y, int z) const {
     return static_cast<std::size_t>((x * size_.ny + y) * size_.nz + z);
   }
 
-  bool solid(int x, int y) const {
-    return size_.radius > 0 && nearest_pillar(x + x0_, y + y0_) <= size_.radius;
-  }
+  bool solid(int x, int y) const { return solid_[static_cast<std::size_t>(x * size_.ny + y)]; }
 
   void initialise(int x, int y, int z, const Vector3& u) {
     for (int i = 0; i < 19; ++i) incoming_[index(x, y, z)][slot(i)] = equilibrium(i, 1.0, u);
@@ -75,17 +76,20 @@ class NaiveFluid {
     return {double(c.x), double(c.y), double(c.z)};
   }
   static double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-  static int opposite(int i) {
+  /// Direction with the same x, y and z times the given signs.
+  static int reflected(int i, double sx, double sy, double sz) {
+    const Vector3 c = direction(i);
     for (int k = 0; k < 19; ++k)
-      if (dot(direction(k), direction(i)) == -dot(direction(i), direction(i)) &&
-          dot(direction(k), direction(k)) == dot(direction(i), direction(i)))
-        return k;
+      if (direction(k) == Vector3{sx * c[0], sy * c[1], sz * c[2]}) return k;
     return -1;
   }
-  static int flipped(int i) {
-    for (int k = 0; k < 19; ++k)
-      if (direction(k) == Vector3{direction(i)[0], direction(i)[1], -direction(i)[2]}) return k;
-    return -1;
+  static int opposite(int i) {
+    static const std::array<int, 19> table = [] {
+      std::array<int, 19> t{};
+      for (int k = 0; k < 19; ++k) t[slot(k)] = reflected(k, -1, -1, -1);
+      return t;
+    }();
+    return table[slot(i)];
   }
   static double weight(int i) {
     const double squared = dot(direction(i), direction(i));
@@ -156,7 +160,7 @@ class NaiveFluid {
   }
 
   double post_at(int i, const Place& p) const {
-    return post_[index(p.x, p.y, p.z)][slot(p.mirrored ? flipped(i) : i)];
+    return post_[index(p.x, p.y, p.z)][slot(p.mirrored ? reflected(i, 1, 1, -1) : i)];
   }
 
   /// Distance along c, in units of |c|, from node (x, y) to the first pillar surface.
@@ -195,6 +199,7 @@ class NaiveFluid {
   BoxSize size_;
   double x0_, y0_;
   FluidModel model_;
+  std::vector<bool> solid_;
   std::vector<std::array<double, 19>> incoming_, post_;
 };
 

@@ -201,7 +201,7 @@ TEST(Lattice, MovingTheOriginByAWholeVectorChangesNothing) {
   const BoxSize size{20, 21, 4, 6.0, 6, HeightBoundary::mirror_and_wall};
   const Lattice<double> centred = driven(unit_cell(size), full_interpolated(), 200);
   EXPECT_GT(centred.statistics().velocity[0], 1e-4);
-  for (const auto [x, y] : {std::pair{-3, -5}, {0, 0}, {-19, -20}, {7, 33}, {-20, -10}, {-31, 11}}) {
+  for (const auto& [x, y] : {std::pair{-3, -5}, {0, 0}, {-19, -20}, {7, 33}, {-20, -10}, {-31, 11}}) {
     const Lattice<double> moved = driven(unit_cell(size, x, y), full_interpolated(), 200);
     EXPECT_LT(relative_difference(centred, moved), 1e-12) << x << ", " << y;
   }

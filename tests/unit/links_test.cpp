@@ -18,16 +18,18 @@ using test::unit_cell;
 /// Destination of every copy or combination, with the number of times it is written.
 std::map<std::uint32_t, int> destinations(const LinkTable& table) {
   std::map<std::uint32_t, int> written;
-  for (const CopyRun& run : table.copies)
+  for (const CopyRun& run : table.runs)
     for (std::uint32_t k = 0; k < run.length; ++k) ++written[run.destination + k];
+  for (const Copy& copy : table.copies) ++written[copy.destination];
   for (const Combination& c : table.combinations) ++written[c.destination];
   return written;
 }
 
 std::set<std::uint32_t> sources(const LinkTable& table) {
   std::set<std::uint32_t> read;
-  for (const CopyRun& run : table.copies)
+  for (const CopyRun& run : table.runs)
     for (std::uint32_t k = 0; k < run.length; ++k) read.insert(run.source + k);
+  for (const Copy& copy : table.copies) read.insert(copy.source);
   for (const Combination& c : table.combinations) read.insert(c.source.begin(), c.source.end());
   return read;
 }
@@ -91,7 +93,7 @@ TEST(Links, MovingWallsAddMomentumAndNoMass) {
   const UnitCell cell = unit_cell(boxes()[4]);
   const LinkTables tables = build_links(cell, LatticeLayout(2, 2, 6), WallModel::half_way, {-0.01, 0.03});
   double sum = 0, largest = 0;
-  for (const CopyRun& run : tables.before.copies) {
+  for (const CopyRun& run : tables.before.runs) {
     sum += run.constant * run.length;
     largest = std::max(largest, run.constant);
   }

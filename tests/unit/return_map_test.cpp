@@ -80,6 +80,16 @@ TEST(ReturnMap, RestingFromTheStartIsDisplaced) {
   EXPECT_EQ(cell.run([](double c) { return -0.7 * (c - 8); }, 100, 2e-5), TrajectoryClass::displaced);
 }
 
+TEST(ReturnMap, WanderingFixedPointIsDisplaced) {
+  // The mesh turns with the cell: the fixed point moves to and fro by 0.02 lu.
+  SyntheticCell cell(10, 15, options_for(15));
+  EXPECT_EQ(cell.run([](double c) { return -0.6 * (c - 8); }, 100, 0.02), TrajectoryClass::displaced);
+  EXPECT_NEAR(cell.map().crossings().back().gap_position, 8, 0.1);
+  // The same wandering beyond twice the tolerance is no proof.
+  SyntheticCell far(10, 15, options_for(15));
+  EXPECT_EQ(far.run([](double c) { return -0.6 * (c - 8); }, 100, 0.5), TrajectoryClass::undecided);
+}
+
 /// Just past a saddle-node the cell creeps through a bottleneck and then falls: never displaced.
 TEST(ReturnMap, CreepThroughABottleneckIsNeverDisplaced) {
   for (const double a : {0.003, 0.03, 0.3, 1.0}) {
