@@ -128,8 +128,18 @@ int ReturnMap::last_row() const {
   return transient_end + cycle + 2;
 }
 
+bool ReturnMap::returns_to_zig() const {
+  if (zigs() != 1 || !crossings_.back().bump) return false;
+  const double now = crossings_.back().gap_position;
+  const auto zig = crossings_.begin() + zig_indices_.front();
+  // The first crossing is left out: the cell still has the shape of its start.
+  return std::any_of(crossings_.begin() + 1, zig, [&](const Crossing& earlier) {
+    return now <= earlier.gap_position;
+  });
+}
+
 TrajectoryClass ReturnMap::classify() const {
-  if (zigs() >= 2) return TrajectoryClass::zigzag;
+  if (zigs() >= 2 || returns_to_zig()) return TrajectoryClass::zigzag;
   if (fixed_point().proven || rests()) return TrajectoryClass::displaced;
   return crossings_.back().row >= last_row() ? TrajectoryClass::undecided : TrajectoryClass::running;
 }
@@ -157,6 +167,7 @@ MapBracket ReturnMap::bracket() const {
 
 int ReturnMap::defining_crossing() const {
   if (class_ != TrajectoryClass::zigzag) return static_cast<int>(crossings_.size()) - 1;
+  if (zigs() == 1) return zig_indices_[0] - 1;
   const auto first = crossings_.begin() + zig_indices_[0], second = crossings_.begin() + zig_indices_[1];
   const auto lowest = std::min_element(
       first, second, [](const Crossing& a, const Crossing& b) { return a.gap_position < b.gap_position; });

@@ -45,7 +45,9 @@ struct MapBracket {
 };
 
 /// Decides from the crossings, in the order of rows:
-/// - zigzag: two zigs. One proves nothing, since the start position decides the first.
+/// - zigzag: two zigs; or one zig, after which the cell is back at or below a gap position that it held on the
+///   way to it. Streamlines keep their order, so the map is monotonic, and what led to a zig once leads there
+///   again. One zig alone proves nothing, since the start position decides the first.
 /// - displaced: the map has reached its fixed point. The quadratic map through the last four crossings must
 ///   have a fixed point ahead with a multiplier below largest_ratio, the two ratios of steps must agree and
 ///   be below it, and the distance left to the fixed point, by the geometric series as by the quadratic map,
@@ -70,8 +72,9 @@ class ReturnMap {
   MapBracket bracket() const;
 
   /// Index of the crossing that defines D_perp. zigzag: the crossing at which the cell touches the pillar it
-  /// is about to fall behind, i.e. the smallest gap position between the first zig and the second; the cycle
-  /// before the first zig is left out because the start shapes it. Otherwise the last crossing; -1: none.
+  /// is about to fall behind, i.e. the smallest gap position between the first zig and the second (the cycle
+  /// before the first zig is left out because the start shapes it); with one zig and a return, the crossing
+  /// before that zig. Otherwise the last crossing; -1: none.
   int defining_crossing() const;
 
  private:
@@ -83,6 +86,7 @@ class ReturnMap {
   std::vector<double> last_steps(int count) const;
   FixedPoint fixed_point() const;
   bool rests() const;
+  bool returns_to_zig() const;
   /// Latest ratio of steps of which the earlier stands clear of the noise; 0 when there is none.
   double last_measurable_ratio() const;
   TrajectoryClass classify() const;

@@ -133,12 +133,22 @@ TEST(ReturnMap, PeriodicZigzagFromAnyStart) {
       SyntheticCell cell(start, d, options_for(d));
       EXPECT_EQ(cell.run([&](double) { return -d; }, 1000), TrajectoryClass::zigzag) << d << " " << start;
       const auto& crossings = cell.map().crossings();
-      const int defining = cell.map().defining_crossing(), last = static_cast<int>(crossings.size()) - 1;
-      EXPECT_EQ(defining, last - 1);  // the last crossing above the pillar that it then falls behind
-      EXPECT_FALSE(crossings[static_cast<std::size_t>(last)].bump);
+      const auto defining = static_cast<std::size_t>(cell.map().defining_crossing());
+      EXPECT_FALSE(crossings[defining + 1].bump);  // the last crossing above the pillar that it then falls behind
       EXPECT_LE(crossings.size(), 2 * std::ceil(kPitch / d) + 2);
     }
   }
+}
+
+TEST(ReturnMap, ReturnToTheWayToAZigIsZigzag) {
+  // A slow approach, a fall, and back: the second zig need not be waited for.
+  SyntheticCell cell(12, 15, options_for(15));
+  const auto step = [](double c) { return c < 3 ? -15.0 : -0.5 - 0.2 * (c - 3); };
+  EXPECT_EQ(cell.run(step, 1000), TrajectoryClass::zigzag);
+  EXPECT_EQ(cell.map().zigs(), 1);
+  const auto& crossings = cell.map().crossings();
+  EXPECT_LE(crossings.back().gap_position, crossings[1].gap_position);
+  EXPECT_FALSE(crossings[static_cast<std::size_t>(cell.map().defining_crossing()) + 1].bump);
 }
 
 TEST(ReturnMap, OneZigAtTheStartProvesNothing) {
