@@ -107,6 +107,7 @@ int check(const std::string& case_file) {
                        {"dimensionless", dimensionless_numbers(c)},
                        {"si", si_numbers(c)},
                        {"memory_MiB", memory_MiB(c)},
+                       {"expected_cost", expected_cost(c)},
                        {"margins", margins_json(stability_margins(c))}};
   std::cout << report.dump(2) << "\n";
   return done;

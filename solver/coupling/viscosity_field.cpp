@@ -9,12 +9,17 @@ namespace dld {
 namespace {
 
 /// On which side of the edge a -> b the point lies. The two faces of an edge evaluate the very same numbers
-/// (lower index first), so that a column through an edge or a vertex belongs to exactly one of them.
+/// (lower index first), and a point on the edge's line counts as moved by (d, d^2), d infinitesimal: a column
+/// through an edge or a vertex belongs to exactly one face of the upper and one of the lower side
+/// (Edelsbrunner and Muecke 1990, simulation of simplicity).
 bool left_of(const Eigen::MatrixX3d& x, int a, int b, double px, double py) {
   const bool swapped = b < a;
   if (swapped) std::swap(a, b);
-  const double area = (x(b, 0) - x(a, 0)) * (py - x(a, 1)) - (x(b, 1) - x(a, 1)) * (px - x(a, 0));
-  return (area >= 0.0) != swapped;
+  // Relative to the point, so that a point on a or b gives exactly zero.
+  const double ax = x(a, 0) - px, ay = x(a, 1) - py, bx = x(b, 0) - px, by = x(b, 1) - py;
+  const double area = ax * by - ay * bx;
+  const bool left = area != 0.0 ? area > 0.0 : ay > by || (ay == by && bx > ax);
+  return left != swapped;
 }
 
 }  // namespace

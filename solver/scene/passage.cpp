@@ -179,8 +179,12 @@ class PassageRun {
     if (extent_.passed()) finish_row(state);
     if (context_.progress.due()) {
       char text[80];
-      std::snprintf(text, sizeof text, "row %d, step %ld, centre %.2f um above the pillar", row_, steps_,
-                    map_.crossings().empty() ? NAN : map_.crossings().back().gap_position * l_.um_per_lu);
+      if (map_.crossings().empty()) {
+        std::snprintf(text, sizeof text, "on the way to the first pillar line, step %ld", steps_);
+      } else {
+        std::snprintf(text, sizeof text, "row %d, step %ld, centre %.2f um above the pillar", row_, steps_,
+                      map_.crossings().back().gap_position * l_.um_per_lu);
+      }
       context_.progress.update(centre.x() / l_.nx + 0.5, text);
     }
   }

@@ -1,0 +1,184 @@
+/// One cell in the fluid, a few hundred steps: volume, symmetry, translation, sub-grid regularisation.
+#include "coupling/coupled_cell.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "membrane/regularisation.hpp"
+#include "support/fluid_box.hpp"
+
+namespace dld {
+namespace {
+
+using test::BoxSize;
+using test::pillar_array;
+using test::unit_cell;
+
+/// A cell of radius 4.6 in a force-driven flow, with everything switched on.
+struct CellRun {
+  CellRun(const BoxSize& size, const UnitCell& cell, const Eigen::RowVector3d& centre,
+          CouplingModel model = standard())
+      : array(pillar_array(size)), lattice(cell, FluidModel{}), membrane(red_blood_cell(4, 4.6), moduli()) {
+    lattice.set_uniform_force(2e-4, 0, 0);
+    model.wall_height = 6;
+    coupled.emplace(lattice, membrane, *array, model, membrane.reference().vertices.rowwise() + centre);
+  }
+  void advance(int steps) {
+    for (int k = 0; k < steps; ++k) coupled->step();
+  }
+  static MembraneModuli moduli() {
+    return {.shear = 0.01, .skalak_denominator = 12, .local_area = 0.1, .global_area = 0.2, .bending = 1e-3};
+  }
+  static CouplingModel standard() {
+    CouplingModel model;
+    model.mobility = 0.6;
+    model.pillar_repulsion = model.wall_repulsion = {5e-3, 1.0};
+    model.tau_outside = 1.0;
+    model.tau_inside = 3.0;
+    return model;
+  }
+  double volume_change() const {
+    return membrane.volume(coupled->positions()) / membrane.reference_volume() - 1;
+  }
+
+  std::shared_ptr<const PillarArray> array;
+  Lattice<double> lattice;
+  Membrane membrane;
+  std::optional<CoupledCell<double>> coupled;
+};
+
+const BoxSize half_box{26, 24, 6, 5.0, 5, HeightBoundary::mirror_and_wall};
+const BoxSize full_box{26, 24, 12, 5.0, 5, HeightBoundary::walls};
+constexpr double start_x = -9.3, start_y = 4.2;
+
+double largest_difference(const CellRun& a, const CellRun& b,
+                          const Eigen::RowVector3d& shift = Eigen::RowVector3d::Zero()) {
+  return (b.coupled->positions() - (a.coupled->positions().rowwise() + shift)).cwiseAbs().maxCoeff();
+}
+
+TEST(CoupledCell, ProjectionKeepsTheVolumeInShear) {
+  const BoxSize size{20, 20, 20, 0, 0, HeightBoundary::walls};
+  const auto sheared = [&](bool project) {
+    CouplingModel model = CellRun::standard();
+    model.project_volume = project;
+    CellRun run(size, unit_cell(size), {0.3, 0.2, 0.1}, model);
+    run.lattice.set_uniform_force(0, 0, 0);
+    run.lattice.initialise([](int, int, int z) { return std::array<double, 3>{2e-3 * (z - 9.5), 0.0, 0.0}; });
+    run.advance(300);
+    const Eigen::MatrixX3d& x = run.coupled->positions();
+    EXPECT_GT((x - run.membrane.reference().vertices).rowwise().norm().maxCoeff(), 0.5);
+    return std::abs(run.volume_change());
+  };
+  EXPECT_LT(sheared(true), 1e-6);
+  EXPECT_GT(sheared(false), 1e-5);
+}
+
+TEST(CoupledCell, ProjectionRelaxesAVolumeThatIsWrong) {
+  const BoxSize size{20, 20, 20, 0, 0, HeightBoundary::walls};
+  CellRun run(size, unit_cell(size), {0, 0, 0});
+  run.lattice.set_uniform_force(0, 0, 0);
+  run.coupled->restore(1.01 * run.membrane.reference().vertices, 0);
+  const double before = run.volume_change();
+  run.advance(50);
+  // T = 50 steps: a factor e.
+  EXPECT_NEAR(run.volume_change() / before, std::exp(-1.0), 0.02);
+}
+
+TEST(CoupledCell, RegularisationLeavesTheCentroid) {
+  const auto centre_after = [&](double mobility) {
+    CouplingModel model = CellRun::standard();
+    model.mobility = mobility;
+    model.project_volume = false;
+    CellRun run(full_box, unit_cell(full_box), {start_x, start_y, 0.2}, model);
+    Eigen::MatrixX3d x = run.coupled->positions();
+    for (Eigen::Index i = 0; i < x.size(); ++i) x(i) += 0.02 * std::sin(12.9898 * static_cast<double>(i));
+    run.coupled->restore(x, 0);
+    run.coupled->step();
+    return std::pair{run.coupled->centre(), run.coupled->positions()};
+  };
+  const auto [plain, plain_positions] = centre_after(0.0);
+  const auto [regularised, positions] = centre_after(0.6);
+  EXPECT_LT((plain - regularised).norm(), 1e-13);
+  EXPECT_GT((plain_positions - positions).norm(), 1e-4);
+}
+
+TEST(CoupledCell, HalfHeightIsFullHeightForAFlatCell) {
+  CellRun half(half_box, unit_cell(half_box), {start_x, start_y, 0}),
+      full(full_box, unit_cell(full_box), {start_x, start_y, 0});
+  half.advance(400);
+  full.advance(400);
+  EXPECT_GT(full.coupled->centre().x() - start_x, 1.0);
+  EXPECT_LT(full.coupled->film(), 1.0);
+  EXPECT_LT(largest_difference(half, full), 1e-6);
+}
+
+/// The cell starts in another unit cell of the array.
+TEST(CoupledCell, ArrayVectorsChangeNothing) {
+  CellRun here(half_box, unit_cell(half_box), {start_x, start_y, 0});
+  here.advance(400);
+  for (const auto& [n, m] : {std::pair{1, 0}, {0, 1}, {-2, 3}}) {
+    const Eigen::RowVector3d shift(n * 26, m * 24 + n * 5, 0);
+    CellRun there(half_box, unit_cell(half_box), Eigen::RowVector3d(start_x, start_y, 0) + shift);
+    there.advance(400);
+    EXPECT_LT(largest_difference(here, there, shift), 1e-9) << n << ", " << m;
+  }
+}
+
+/// The borders of the unit cell run elsewhere, in some cases through the cell.
+TEST(CoupledCell, OriginOfTheUnitCellChangesNothing) {
+  CellRun here(half_box, unit_cell(half_box), {start_x, start_y, 0});
+  here.advance(400);
+  for (const auto& [x, y] : {std::pair{-8, -20}, {-9, 4}, {-22, -1}, {0, 0}}) {
+    CellRun there(half_box, unit_cell(half_box, x, y), {start_x, start_y, 0});
+    there.advance(400);
+    EXPECT_LT(largest_difference(here, there), 1e-9) << x << ", " << y;
+  }
+}
+
+/// Without a pillar any whole vector is a symmetry, with cell and border crossing each other on the way.
+TEST(CoupledCell, WholeVectorsChangeNothingInAnEmptySlit) {
+  const BoxSize slit{26, 24, 6, 0, 5, HeightBoundary::mirror_and_wall};
+  CellRun here(slit, unit_cell(slit), {0.3, 0.2, 0});
+  here.advance(400);
+  for (const auto& [x, y] : {std::pair{9, 11}, {12, -3}, {-13, 40}}) {
+    CellRun there(slit, unit_cell(slit), {0.3 + x, 0.2 + y, 0});
+    there.advance(400);
+    EXPECT_LT(largest_difference(here, there, Eigen::RowVector3d(x, y, 0)), 1e-9) << x << ", " << y;
+  }
+}
+
+TEST(StableMobility, IsTheWantedOneUnlessTheMembraneIsTooStiff) {
+  MembraneModuli moduli = CellRun::moduli();
+  Membrane soft(red_blood_cell(4, 4.6), moduli);
+  EXPECT_EQ(stable_mobility(soft, 0.0), 0.0);
+  EXPECT_EQ(stable_mobility(soft, -1.0), 0.0);
+  EXPECT_EQ(stable_mobility(soft, 1e-3), 1e-3);
+  const double limit = stable_mobility(soft, 1e9);
+  moduli.shear *= 10, moduli.local_area *= 10, moduli.global_area *= 10, moduli.bending *= 10;
+  Membrane stiff(red_blood_cell(4, 4.6), moduli);
+  EXPECT_NEAR(stable_mobility(stiff, 1e9), 0.1 * limit, 1e-3 * limit);
+}
+
+/// Relaxation by the force differences alone: stable at the limit, unstable at six times it.
+TEST(StableMobility, ExplicitRelaxationIsStableAtTheLimit) {
+  Membrane membrane(red_blood_cell(4, 4.6), CellRun::moduli());
+  const double limit = stable_mobility(membrane, 1e9);
+  const auto energy_after = [&](double mobility) {
+    Eigen::MatrixX3d x = membrane.reference().vertices, f(x.rows(), 3), v(x.rows(), 3);
+    for (Eigen::Index i = 0; i < x.size(); ++i) x(i) += 1e-4 * std::sin(12.9898 * static_cast<double>(i));
+    const double before = membrane.energy(x);
+    for (int k = 0; k < 200; ++k) {
+      membrane.forces(x, f);
+      v.setZero();
+      force_difference_velocity(membrane, f, mobility, v);
+      x += v;
+    }
+    return membrane.energy(x) / before;
+  };
+  EXPECT_LT(energy_after(limit), 0.2);
+  EXPECT_FALSE(energy_after(6 * limit) < 2.0);  // NaN counts as unstable
+}
+
+}  // namespace
+}  // namespace dld
