@@ -47,15 +47,17 @@ void CoupledCell<Real>::add_repulsion() {
   constexpr double kernel_reach = 3.5;  // lattice spacings: widest kernel across a cell diagonal
   film_ = 1e300;
   if (!pillars_.empty()) {
-    for (Eigen::Index i = 0; i < positions_.rows(); ++i) {
-      const double h = pillars_.signed_distance(positions_(i, 0), positions_(i, 1));
+    for (const CoupledNode& node : boundary_.nodes()) {
+      const double x = positions_(node.vertex, 0), y = positions_(node.vertex, 1);
+      const double h = pillars_.signed_distance(x, y);
       film_ = std::min(film_, h);
-      near_solid_[static_cast<std::size_t>(i)] = h < kernel_reach ? 1 : 0;
+      near_solid_[static_cast<std::size_t>(node.vertex)] = h < kernel_reach ? 1 : 0;
       const double f = model_.pillar_repulsion.force(h);
       if (f == 0.0) continue;
-      const auto normal = pillars_.normal(positions_(i, 0), positions_(i, 1));
-      forces_(i, 0) += f * normal[0];
-      forces_(i, 1) += f * normal[1];
+      const auto normal = pillars_.normal(x, y);
+      forces_.row(node.vertex) += Eigen::RowVector3d(f * normal[0], f * normal[1], 0.0);
+      if (node.mirror_vertex < 0 || node.mirror_vertex == node.vertex) continue;
+      forces_.row(node.mirror_vertex) += Eigen::RowVector3d(f * normal[0], f * normal[1], 0.0);
     }
   }
   if (model_.wall_height > 0.0 && model_.wall_repulsion.strength > 0.0) {

@@ -57,6 +57,16 @@ ImmersedBoundary<Real>::ImmersedBoundary(Lattice<Real>& lattice, Kernel kernel, 
       active_(static_cast<std::size_t>(lattice.cell().nx)),
       width_(kernel_width(kernel)) {
   const LatticeLayout& layout = lattice.layout();
+  const UnitCell& cell = lattice.cell();
+  for (int raw = -layer_margin; raw < cell.nz + layer_margin; ++raw) {
+    Layer at{0, 1.0, 0.0};
+    if (cell.side(raw) == HeightSide::inside) {
+      const NodeImage image = cell.wrap(0, 0, raw);
+      // A mirror image far below the plane would lie beyond the other wall.
+      if (image.z < cell.nz) at = {static_cast<std::uint32_t>(image.z) * layout.row, image.mirrored ? -1.0 : 1.0, 1.0};
+    }
+    layers_.push_back(at);
+  }
   for (int x = 0; x < layout.nx; ++x) {
     for (int z = 0; z < layout.nz; ++z) {
       for (int y = 0; y < padding; ++y) {
@@ -94,19 +104,15 @@ typename ImmersedBoundary<Real>::Stencil ImmersedBoundary<Real>::stencil(double 
   double inside = 0.0;  // sum of the weights between the walls
   for (int k = 0; k < 4; ++k) {
     const auto index = static_cast<std::size_t>(k);
-    const int raw = z0 + std::min(k, Phi::width - 1);
-    s.sign[index] = Real(1);
-    if (cell.side(raw) != HeightSide::inside) {
-      w[index] = 0.0;  // beyond a wall: u = 0 there, no force is spread
-      continue;
-    }
-    const NodeImage image = cell.wrap(0, 0, raw);
-    if (image.mirrored) s.sign[index] = Real(-1);
-    s.layer[index] = static_cast<std::uint32_t>(image.z) * layout.row;
+    const int raw = std::clamp(z0 + std::min(k, Phi::width - 1), -layer_margin, cell.nz + layer_margin - 1);
+    const Layer& at = layer(raw);
+    w[index] *= at.inside;  // beyond a wall: u = 0 there, no force is spread
+    s.sign[index] = static_cast<Real>(at.sign);
+    s.layer[index] = at.offset;
     inside += w[index];
   }
   take(s.wz);
-  s.scale = static_cast<Real>(1.0 / inside);
+  s.scale = inside > 1e-6 ? static_cast<Real>(1.0 / inside) : Real(0);
   s.masked = near_solid;
   if (near_solid) {
     double fluid = 0.0;

@@ -60,8 +60,17 @@ class ImmersedBoundary {
   template <class Function>
   void for_wrapped_rows(Function&& row);
 
+  /// Where a raw layer z stands: offset of its row, sign of z-components, 0 if beyond a wall.
+  struct Layer {
+    std::uint32_t offset = 0;
+    double sign = 1, inside = 1;
+  };
+  const Layer& layer(int raw) const { return layers_[static_cast<std::size_t>(raw + layer_margin)]; }
+  static constexpr int layer_margin = 64;
+
   Lattice<Real>& lattice_;
   Kernel kernel_;
+  std::vector<Layer> layers_;
   std::vector<CoupledNode> nodes_;
   std::vector<Stencil> stencils_;
   std::vector<ActiveRange> active_;

@@ -52,7 +52,7 @@ struct Moments {
 /// Stokes = true drops the terms of second order in u (equilibrium and source) and takes rho = 1 in the
 /// momentum, so that the scheme is exactly linear.
 template <bool Stokes, class Value>
-inline Moments<Value> collide(Value (&f)[d3q19::directions], Value fx, Value fy, Value fz, Rates<Value> rate) {
+[[gnu::always_inline]] inline Moments<Value> collide(Value (&f)[d3q19::directions], Value fx, Value fy, Value fz, Rates<Value> rate) {
   using namespace d3q19;
   using Real = Scalar<Value>;
   constexpr Real half = Real(0.5);

@@ -19,21 +19,21 @@ Lattice<Real>::Lattice(const UnitCell& cell, const FluidModel& model)
       model_(model),
       layout_(cell.nx, cell.ny, cell.nz),
       links_(build_links(cell, layout_, model.walls, model.wall_motion)) {
-  const std::size_t nodes = layout_.stride;
-  populations_.assign(static_cast<std::size_t>(directions) * nodes, Real(0));
+  const std::size_t nodes = layout_.field_size();
+  populations_.assign(layout_.populations_size(), Real(0));
   for (auto& component : force) component.assign(nodes, Real(0));
   for (auto& component : velocity) component.assign(nodes, Real(0));
   relaxation_time.assign(nodes, static_cast<Real>(model.relaxation_time));
+  local_step_done_.assign(static_cast<std::size_t>(cell.nx), 0);
   fluid_mask.assign(nodes, Real(0));
   for (int x = 0; x < cell.nx; ++x) {
     const auto first = static_cast<std::uint32_t>(segments_.size());
     for (int z = 0; z < cell.nz; ++z) {
       for (int y = 0; y < cell.ny; ++y) {
         if (cell.is_solid(x, y, z)) continue;
-        const std::uint32_t here = layout_.node(x, y, z);
-        fluid_mask[here] = Real(1);
+        fluid_mask[layout_.node(x, y, z)] = Real(1);
         ++fluid_nodes_;
-        if (y == 0 || cell.is_solid(x, y - 1, z)) segments_.push_back({x, y, here, 0});
+        if (y == 0 || cell.is_solid(x, y - 1, z)) segments_.push_back({x, y, z, 0});
         ++segments_.back().length;
       }
     }
@@ -43,29 +43,31 @@ Lattice<Real>::Lattice(const UnitCell& cell, const FluidModel& model)
 
 template <class Real>
 template <bool Stokes, bool Local>
-void Lattice<Real>::collide_run(std::uint32_t start, int length) {
+void Lattice<Real>::collide_run(Phase phase, const Segment& run) {
   using Vector = stdx::native_simd<Real>;
   constexpr int width = static_cast<int>(Vector::size());
   // Each pair exchanges its two places: the local step reads f_i and f_-i of the node and leaves them swapped;
   // the streaming step reads them from the neighbours and writes them to the neighbours beyond.
   std::array<Real*, pairs> first, second;
-  Real* const base = populations_.data();
+  const std::uint32_t start = layout_.node(run.x, run.y, run.z);  // in the fields
+  Real* const base = populations_.data() + layout_.population(0, run.x, run.y, run.z);
   for (int p = 0; p < pairs; ++p) {
     const int a = 2 * p + 1, b = 2 * p + 2;
     const auto v = d3q19::c[static_cast<std::size_t>(a)];
-    const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(v.x) * layout_.column +
+    const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(v.x) * directions * layout_.plane +
                                   static_cast<std::ptrdiff_t>(v.z) * layout_.row + v.y;
-    Real* const pa = base + layout_.slot(a, start);
-    Real* const pb = base + layout_.slot(b, start);
-    first[static_cast<std::size_t>(p)] = even_ ? pa : pb - offset;
-    second[static_cast<std::size_t>(p)] = even_ ? pb : pa + offset;
+    Real* const pa = base + static_cast<std::ptrdiff_t>(a) * layout_.plane;
+    Real* const pb = base + static_cast<std::ptrdiff_t>(b) * layout_.plane;
+    const bool local = phase == Phase::local;
+    first[static_cast<std::size_t>(p)] = local ? pa : pb - offset;
+    second[static_cast<std::size_t>(p)] = local ? pb : pa + offset;
   }
   const bool bgk = model_.collision == CollisionModel::bgk;
   const Real magic = static_cast<Real>(model_.magic_parameter);
 
-  const auto advance = [&](int k, auto load, auto store) {
+  const auto advance = [&](int k, auto load, auto store) __attribute__((always_inline)) {
     Vector f[directions];
-    load(f[0], base + start + k);
+    load(f[0], base + k);
 #pragma GCC unroll 9
     for (int p = 0; p < pairs; ++p) {
       load(f[2 * p + 1], first[static_cast<std::size_t>(p)] + k);
@@ -88,7 +90,7 @@ void Lattice<Real>::collide_run(std::uint32_t start, int length) {
       store(m.uy, velocity[1].data() + start + k);
       store(m.uz, velocity[2].data() + start + k);
     }
-    store(f[0], base + start + k);
+    store(f[0], base + k);
 #pragma GCC unroll 9
     for (int p = 0; p < pairs; ++p) {
       store(f[2 * p + 2], first[static_cast<std::size_t>(p)] + k);
@@ -97,14 +99,14 @@ void Lattice<Real>::collide_run(std::uint32_t start, int length) {
   };
 
   int k = 0;
-  for (; k + width <= length; k += width) {
+  for (; k + width <= run.length; k += width) {
     advance(
         k, [](Vector& v, const Real* from) { v.copy_from(from, stdx::element_aligned); },
         [](const Vector& v, Real* to) { v.copy_to(to, stdx::element_aligned); });
   }
-  if (k < length) {
+  if (k < run.length) {
     const typename Vector::mask_type tail =
-        Vector([](auto lane) { return static_cast<Real>(static_cast<int>(lane)); }) < static_cast<Real>(length - k);
+        Vector([](auto lane) { return static_cast<Real>(static_cast<int>(lane)); }) < static_cast<Real>(run.length - k);
     advance(
         k,
         [&](Vector& v, const Real* from) {
@@ -117,34 +119,62 @@ void Lattice<Real>::collide_run(std::uint32_t start, int length) {
 
 template <class Real>
 template <bool Stokes>
-void Lattice<Real>::collide_all(const std::vector<ActiveRange>& active) {
-  for (int x = 0; x < cell_.nx; ++x) {
-    const Row plane = planes_[static_cast<std::size_t>(x)];
-    const ActiveRange range = active.empty() ? ActiveRange{} : active[static_cast<std::size_t>(x)];
-    for (std::uint32_t s = plane.first; s < plane.last; ++s) {
-      const Segment& segment = segments_[s];
-      if (range.length == 0) {
-        collide_run<Stokes, false>(segment.start, segment.length);
-        continue;
-      }
-      // Cut the segment where the active range begins and ends; the range may wrap around once.
-      const int begin = segment.y, end = segment.y + segment.length;
-      std::array<std::array<int, 2>, 2> parts{
-          {{range.begin, range.begin + range.length}, {range.begin - cell_.ny, range.begin + range.length - cell_.ny}}};
-      std::sort(parts.begin(), parts.end());
-      int y = begin;
-      for (const auto& part : parts) {
-        const int from = std::clamp(part[0], y, end), to = std::clamp(part[1], y, end);
-        const auto at = [&](int where) { return segment.start + static_cast<std::uint32_t>(where - begin); };
-        if (from > y) collide_run<Stokes, false>(at(y), from - y);
-        if (to > from) collide_run<Stokes, true>(at(from), to - from);
-        y = std::max(y, to);
-      }
-      if (y < end) {
-        collide_run<Stokes, false>(segment.start + static_cast<std::uint32_t>(y - begin), end - y);
-      }
+void Lattice<Real>::collide_plane(Phase phase, int x, const ActiveRange& range) {
+  const Row plane = planes_[static_cast<std::size_t>(x)];
+  for (std::uint32_t s = plane.first; s < plane.last; ++s) {
+    const Segment& segment = segments_[s];
+    if (range.length == 0) {
+      collide_run<Stokes, false>(phase, segment);
+      continue;
     }
+    // Cut the segment where the active range begins and ends; the range may wrap around once.
+    const int first = range.begin, last = range.begin + range.length, end = segment.y + segment.length;
+    const std::array<std::array<int, 2>, 2> parts{{{first - cell_.ny, last - cell_.ny}, {first, last}}};
+    int y = segment.y;
+    for (const auto& part : parts) {
+      const int from = std::clamp(part[0], y, end), to = std::clamp(part[1], y, end);
+      if (from > y) collide_run<Stokes, false>(phase, {x, y, segment.z, from - y});
+      if (to > from) collide_run<Stokes, true>(phase, {x, from, segment.z, to - from});
+      y = std::max(y, to);
+    }
+    if (y < end) collide_run<Stokes, false>(phase, {x, y, segment.z, end - y});
   }
+}
+
+template <class Real>
+template <bool Stokes>
+void Lattice<Real>::step_with(const std::vector<ActiveRange>& active) {
+  const int nx = cell_.nx;
+  const auto range = [&](int x) { return active.empty() ? ActiveRange{} : active[static_cast<std::size_t>(x)]; };
+  if (even_) {
+    // Only the planes of the cell, whose velocity is wanted now; the others follow with the streaming step.
+    for (int x = 0; x < nx; ++x) {
+      const bool now = range(x).length > 0;
+      local_step_done_[static_cast<std::size_t>(x)] = now ? 1 : 0;
+      if (now) collide_plane<Stokes>(Phase::local, x, range(x));
+    }
+    return;
+  }
+  const auto local_step = [&](int x) {
+    auto& done = local_step_done_[static_cast<std::size_t>(x)];
+    if (done == 0) collide_plane<Stokes>(Phase::local, x, {});
+    done = 1;
+  };
+  const auto prepare = [&](int x) {
+    if (x >= nx) return;
+    local_step((x + 1) % nx);
+    apply(links_.before[static_cast<std::size_t>(x)]);
+  };
+  local_step(nx - 1);  // periodic neighbour of plane 0
+  local_step(0);
+  prepare(0);
+  for (int x = 0; x < nx; ++x) {
+    prepare(x + 1);
+    collide_plane<Stokes>(Phase::streaming, x, range(x));
+    if (x >= 2) apply(links_.after[static_cast<std::size_t>(x - 1)]);
+  }
+  apply(links_.after[0]);
+  if (nx > 1) apply(links_.after[static_cast<std::size_t>(nx - 1)]);
 }
 
 template <class Real>
@@ -165,13 +195,11 @@ void Lattice<Real>::apply(const LinkTable& table) {
 
 template <class Real>
 void Lattice<Real>::step(const std::vector<ActiveRange>& active) {
-  if (!even_) apply(links_.before);
   if (model_.equilibrium == EquilibriumModel::stokes) {
-    collide_all<true>(active);
+    step_with<true>(active);
   } else {
-    collide_all<false>(active);
+    step_with<false>(active);
   }
-  if (!even_) apply(links_.after);
   even_ = !even_;
 }
 
@@ -179,10 +207,11 @@ template <class Real>
 std::array<double, 4> Lattice<Real>::moments(int x, int y, int z) const {
   assert(even_);
   const std::uint32_t here = layout_.node(x, y, z);
+  const Real* const f0 = populations_.data() + layout_.population(0, x, y, z);
   double deviation = 0;
   std::array<double, 3> j{};
   for (int i = 0; i < directions; ++i) {
-    const double f = static_cast<double>(populations_[layout_.slot(i, here)]);
+    const double f = static_cast<double>(f0[static_cast<std::size_t>(i) * layout_.plane]);
     const auto v = d3q19::c[static_cast<std::size_t>(i)];
     deviation += f;
     j[0] += v.x * f;
@@ -202,11 +231,13 @@ FlowStatistics Lattice<Real>::statistics() const {
   s.min_density_deviation = 1e300;
   s.max_density_deviation = -1e300;
   for (const Segment& segment : segments_) {
+    const std::uint32_t start = layout_.node(segment.x, segment.y, segment.z);
+    const Real* const f0 = populations_.data() + layout_.population(0, segment.x, segment.y, segment.z);
     for (int k = 0; k < segment.length; ++k) {
-      const std::uint32_t here = segment.start + static_cast<std::uint32_t>(k);
+      const std::uint32_t here = start + static_cast<std::uint32_t>(k);
       double deviation = 0, jx = 0, jy = 0, jz = 0;
       for (int i = 0; i < directions; ++i) {
-        const double f = static_cast<double>(populations_[layout_.slot(i, here)]);
+        const double f = static_cast<double>(f0[static_cast<std::size_t>(i) * layout_.plane + static_cast<std::size_t>(k)]);
         const auto v = d3q19::c[static_cast<std::size_t>(i)];
         deviation += f;
         jx += v.x * f;
@@ -240,7 +271,7 @@ void Lattice<Real>::shift_density(double deviation) {
   for (int i = 0; i < directions; ++i) {
     const Real add = static_cast<Real>(d3q19::weight(i) * deviation);
     for (const Segment& segment : segments_) {
-      Real* f = populations_.data() + layout_.slot(i, segment.start);
+      Real* f = populations_.data() + layout_.population(i, segment.x, segment.y, segment.z);
       for (int k = 0; k < segment.length; ++k) f[k] += add;
     }
   }
@@ -248,7 +279,7 @@ void Lattice<Real>::shift_density(double deviation) {
 
 template <class Real>
 std::size_t Lattice<Real>::memory_bytes() const {
-  return (populations_.size() + 8 * static_cast<std::size_t>(layout_.stride)) * sizeof(Real);
+  return (populations_.size() + 8 * layout_.field_size()) * sizeof(Real);
 }
 
 template class Lattice<float>;

@@ -1,6 +1,8 @@
 #pragma once
 /// The fluid on the lattice of one unit cell: storage, time step, moments. Populations live in one array and
-/// stream in place, in pairs of a local and a streaming step (AA pattern).
+/// stream in place, in pairs of a local and a streaming step (AA pattern). The local step of a plane without a
+/// cell is put off until the streaming step comes by: both then find the plane in the fast cache, and the memory
+/// is read once for two steps.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -44,7 +46,7 @@ class Lattice {
  public:
   Lattice(const UnitCell& cell, const FluidModel& model);
 
-  /// Body force on every fluid node, lattice units.
+  /// Body force on every fluid node, lattice units. To be changed only while even().
   void set_uniform_force(double fx, double fy, double fz) { uniform_force_ = {fx, fy, fz}; }
   std::array<double, 3> uniform_force() const { return uniform_force_; }
 
@@ -77,22 +79,24 @@ class Lattice {
   /// Raw populations, for checkpoints and cached flows.
   std::vector<Real>& populations() { return populations_; }
   const std::vector<Real>& populations() const { return populations_; }
-  void set_even(bool even) { even_ = even; }
 
  private:
+  /// Fluid nodes in a row: (x, y .. y + length - 1, z).
   struct Segment {
-    int x = 0, y = 0;
-    std::uint32_t start = 0;
-    int length = 0;
+    int x = 0, y = 0, z = 0, length = 0;
   };
   struct Row {
     std::uint32_t first = 0, last = 0;  ///< segments of one x-plane
   };
 
+  enum class Phase { local, streaming };
+
   template <bool Stokes, bool Local>
-  void collide_run(std::uint32_t start, int length);
+  void collide_run(Phase phase, const Segment& run);
   template <bool Stokes>
-  void collide_all(const std::vector<ActiveRange>& active);
+  void collide_plane(Phase phase, int x, const ActiveRange& range);
+  template <bool Stokes>
+  void step_with(const std::vector<ActiveRange>& active);
   void apply(const LinkTable& table);
 
   UnitCell cell_;
@@ -103,6 +107,7 @@ class Lattice {
   std::vector<Segment> segments_;
   std::vector<Row> planes_;
   std::array<double, 3> uniform_force_{};
+  std::vector<std::uint8_t> local_step_done_;  ///< per plane, between the two steps of a pair
   std::size_t fluid_nodes_ = 0;
   bool even_ = true;
 };
@@ -124,7 +129,7 @@ void Lattice<Real>::initialise(Function&& velocity_at) {
           const double cu = v.x * u[0] + v.y * u[1] + v.z * u[2];
           double f = 3.0 * cu;
           if (model_.equilibrium == EquilibriumModel::full) f += 4.5 * cu * cu - 1.5 * u2;
-          populations_[layout_.slot(i, layout_.node(x, y, z))] = static_cast<Real>(d3q19::weight(i) * f);
+          populations_[layout_.population(i, x, y, z)] = static_cast<Real>(d3q19::weight(i) * f);
         }
       }
     }

@@ -26,23 +26,26 @@ class LinkBuilder {
       : cell_(cell), layout_(layout), model_(model), motion_(motion) {}
 
   LinkTables build() {
+    LinkTables tables;
     for (int x = 0; x < cell_.nx; ++x) {
+      before_ = {};
+      after_ = {};
       for (int z = 0; z < cell_.nz; ++z) {
         for (int y = 0; y < cell_.ny; ++y) {
           if (cell_.is_solid(x, y, z)) continue;
           for (int i = 1; i < d3q19::directions; ++i) add_link(x, y, z, i);
         }
       }
+      tables.before.push_back(finish(before_));
+      tables.after.push_back(finish(after_));
     }
-    return {finish(before_copies_, std::move(tables_.before.combinations)),
-            finish(after_copies_, std::move(tables_.after.combinations))};
+    return tables;
   }
 
  private:
   Population population(int i, int x, int y, int z) const {
     const auto v = velocity(i);
-    return {layout_.slot(opposite(i), layout_.node(x, y, z)),
-            layout_.slot(i, layout_.node(x + v.x, y + v.y, z + v.z))};
+    return {layout_.population(opposite(i), x, y, z), layout_.population(i, x + v.x, y + v.y, z + v.z)};
   }
 
   /// Post-collision population i of raw node (x, y, z), which may be an image of the fluid node behind it.
@@ -64,8 +67,7 @@ class LinkBuilder {
   /// Where f_i of the node is expected: read by the streaming step (before), read by the local step (after).
   Population destination(int i, int x, int y, int z) const {
     const auto v = velocity(i);
-    return {layout_.slot(opposite(i), layout_.node(x - v.x, y - v.y, z - v.z)),
-            layout_.slot(i, layout_.node(x, y, z))};
+    return {layout_.population(opposite(i), x - v.x, y - v.y, z - v.z), layout_.population(i, x, y, z)};
   }
 
   /// The incoming population i of fluid node (x, y, z), if it does not stream from a fluid node in the box.
@@ -108,24 +110,29 @@ class LinkBuilder {
   }
 
   void copy(const Population& to, const Population& from, double constant) {
-    before_copies_.push_back({to.after_local, from.after_local, 1, constant});
-    after_copies_.push_back({to.after_streaming, from.after_streaming, 1, constant});
+    before_.copies.push_back({to.after_local, from.after_local, 1, constant});
+    after_.copies.push_back({to.after_streaming, from.after_streaming, 1, constant});
   }
 
   void combine(const Population& to, std::array<Population, 2> from, std::array<double, 2> weight) {
-    const auto add = [&](LinkTable& table, std::uint32_t destination, std::uint32_t a, std::uint32_t b) {
-      table.combinations.push_back({destination, {a, b}, weight});
-    };
-    add(tables_.before, to.after_local, from[0].after_local, from[1].after_local);
-    add(tables_.after, to.after_streaming, from[0].after_streaming, from[1].after_streaming);
+    before_.combinations.push_back({to.after_local, {from[0].after_local, from[1].after_local}, weight});
+    after_.combinations.push_back({to.after_streaming, {from[0].after_streaming, from[1].after_streaming}, weight});
   }
 
-  /// Sorts by destination and merges neighbours into runs, so that planes and rows move as blocks.
-  static LinkTable finish(std::vector<CopyRun>& copies, std::vector<Combination> combinations) {
-    std::sort(copies.begin(), copies.end(),
+  /// Links of one plane as they are found.
+  struct Found {
+    std::vector<CopyRun> copies;
+    std::vector<Combination> combinations;
+  };
+
+  /// Sorts by destination and merges neighbours into runs, so that rows move as blocks.
+  static LinkTable finish(Found& found) {
+    std::sort(found.copies.begin(), found.copies.end(),
               [](const CopyRun& a, const CopyRun& b) { return a.destination < b.destination; });
+    std::sort(found.combinations.begin(), found.combinations.end(),
+              [](const Combination& a, const Combination& b) { return a.destination < b.destination; });
     std::vector<CopyRun> runs;
-    for (const CopyRun& next : copies) {
+    for (const CopyRun& next : found.copies) {
       const bool continues = !runs.empty() && next.destination == runs.back().destination + runs.back().length &&
                              next.source == runs.back().source + runs.back().length &&
                              next.constant == runs.back().constant;
@@ -144,10 +151,7 @@ class LinkBuilder {
       }
       for (std::uint32_t k = 0; k < run.length; ++k) table.copies.push_back({run.destination + k, run.source + k});
     }
-    std::sort(combinations.begin(), combinations.end(), [](const Combination& a, const Combination& b) {
-      return a.destination < b.destination;
-    });
-    table.combinations = std::move(combinations);
+    table.combinations = std::move(found.combinations);
     return table;
   }
 
@@ -155,8 +159,7 @@ class LinkBuilder {
   const LatticeLayout& layout_;
   WallModel model_;
   WallMotion motion_;
-  std::vector<CopyRun> before_copies_, after_copies_;
-  LinkTables tables_;
+  Found before_, after_;
 };
 
 std::uint32_t round_up(std::uint32_t n, std::uint32_t multiple) { return (n + multiple - 1) / multiple * multiple; }
@@ -166,10 +169,9 @@ std::uint32_t round_up(std::uint32_t n, std::uint32_t multiple) { return (n + mu
 LatticeLayout::LatticeLayout(int nx_, int ny_, int nz_) : nx(nx_), ny(ny_), nz(nz_) {
   // 16 extra places per row hold both ghosts: y = ny behind the row, y = -1 at the end of the row before.
   row = round_up(static_cast<std::uint32_t>(ny), 16u) + 16u;
-  column = row * static_cast<std::uint32_t>(nz + 2);
-  stride = column * static_cast<std::uint32_t>(nx + 2) + 32u;
+  plane = row * static_cast<std::uint32_t>(nz + 2);
   // An odd number of cache lines between directions keeps them out of each other's cache sets.
-  if ((stride / 16u) % 2u == 0u) stride += 16u;
+  if ((plane / 16u) % 2u == 0u) plane += 16u;
 }
 
 LinkTables build_links(const UnitCell& cell, const LatticeLayout& layout, WallModel model,

@@ -6,27 +6,37 @@
 #include <cstdint>
 #include <vector>
 
+#include "fluid/d3q19.hpp"
 #include "geometry/unit_cell.hpp"
 
 namespace dld {
 
-/// Place of populations in memory: population i of raw node (x, y, z), -1 <= x <= nx and so on, at
-/// i * stride + node(x, y, z). Rows run along y and start at multiples of 16.
+/// Places in memory of raw nodes (x, y, z), -1 <= x <= nx and so on. Fields (force, velocity) have one value per
+/// node; populations stand plane by plane, within a plane direction by direction, so that what a step touches
+/// at a time lies together. Rows run along y and start at multiples of 16.
 struct LatticeLayout {
   int nx = 0, ny = 0, nz = 0;
-  std::uint32_t row = 0;     ///< distance of rows along z
-  std::uint32_t column = 0;  ///< distance of planes along x
-  std::uint32_t stride = 0;  ///< distance of directions
+  std::uint32_t row = 0;    ///< distance of rows along z
+  std::uint32_t plane = 0;  ///< values of one plane: distance of planes in fields, of directions in populations
 
   LatticeLayout() = default;
   LatticeLayout(int nx_, int ny_, int nz_);
+
+  /// Place of a node in a field.
   std::uint32_t node(int x, int y, int z) const {
-    return static_cast<std::uint32_t>(x + 1) * column + static_cast<std::uint32_t>(z + 1) * row +
+    return static_cast<std::uint32_t>(x + 1) * plane + static_cast<std::uint32_t>(z + 1) * row +
            static_cast<std::uint32_t>(y + 16);
   }
-  std::uint32_t slot(int direction, std::uint32_t node_index) const {
-    return static_cast<std::uint32_t>(direction) * stride + node_index;
+  /// Place of population i of a node.
+  std::uint32_t population(int i, int x, int y, int z) const {
+    return node(x, y, z) + static_cast<std::uint32_t>(x + 1) * (directions - 1) * plane +
+           static_cast<std::uint32_t>(i) * plane;
   }
+  std::size_t field_size() const { return static_cast<std::size_t>(nx + 2) * plane + 32; }
+  std::size_t populations_size() const { return static_cast<std::size_t>(nx + 2) * directions * plane + 32; }
+
+ private:
+  static constexpr std::uint32_t directions = d3q19::directions;
 };
 
 enum class WallModel { half_way, interpolated };
@@ -60,11 +70,13 @@ struct LinkTable {
   std::vector<Combination> combinations;
 };
 
-/// Tables of the in-place ("AA", Bailey et al. 2009) scheme: `before` runs between the local and the
-/// streaming step and fills the slots that the streaming step reads outside the fluid; `after` runs behind
-/// the streaming step and brings home what it has written there.
+/// Tables of the in-place ("AA", Bailey et al. 2009) scheme, one per plane x. `before[x]` fills the slots outside
+/// the fluid that the streaming step of plane x reads; it needs the local step of the planes x - 1 .. x + 1 and
+/// must run before the streaming step of plane x - 1, which overwrites what interpolated walls look at.
+/// `after[x]` brings home what the streaming step of the planes x - 1 .. x + 1 has written outside the fluid; it
+/// must not run ahead of `before[x + 1]`, nor plane 0 ahead of the last plane, its periodic neighbour.
 struct LinkTables {
-  LinkTable before, after;
+  std::vector<LinkTable> before, after;
 };
 
 LinkTables build_links(const UnitCell& cell, const LatticeLayout& layout, WallModel model,

@@ -23,10 +23,10 @@ class PillarArray {
       : shape_(std::move(shape)), pitch_x_(pitch_x), pitch_y_(pitch_y), row_shift_(row_shift) {}
 
   ReducedPoint reduce(double x, double y) const {
-    const double n = std::round(x / pitch_x_);
+    const double n = std::nearbyint(x / pitch_x_);
     const double y_column = y - n * row_shift_;
-    const double m = std::round(y_column / pitch_y_);
-    return {x - n * pitch_x_, y_column - m * pitch_y_, std::lround(n), std::lround(m)};
+    const double m = std::nearbyint(y_column / pitch_y_);
+    return {x - n * pitch_x_, y_column - m * pitch_y_, static_cast<long>(n), static_cast<long>(m)};
   }
 
   /// Signed distance to the nearest pillar. Images n, m in -1, 0, 1 around the nearest one are checked,
