@@ -17,6 +17,7 @@
 #include "coupling/coupled_cell.hpp"
 #include "measure/cross_section.hpp"
 #include "measure/streamlines.hpp"
+#include "output/provenance.hpp"
 #include "parameters/reader.hpp"
 #include "scene/flow_output.hpp"
 #include "scene/monitor.hpp"
@@ -238,9 +239,12 @@ class PassageRun {
     save_checkpoint();
   }
 
+  /// Case and build: another build may keep its populations in another order.
+  std::string identity() const { return echo(case_).dump() + build_info().git_commit; }
+
   /// Between two pillar lines nothing is half measured: the state is the fluid, the cell and the tables.
   void save_checkpoint() const {
-    Checkpoint checkpoint(echo(case_).dump());
+    Checkpoint checkpoint(identity());
     checkpoint.set("populations", lattice_.populations());
     checkpoint.set("uniform_force", std::vector<double>{lattice_.uniform_force()[0], lattice_.uniform_force()[1]});
     const Eigen::MatrixX3d& x = cell_->positions();
@@ -267,7 +271,7 @@ class PassageRun {
 
   void resume() {
     if (!context_.resume) return;
-    const auto checkpoint = Checkpoint::load(context_.checkpoint, echo(case_).dump());
+    const auto checkpoint = Checkpoint::load(context_.checkpoint, identity());
     if (!checkpoint) return;
     lattice_.populations() = checkpoint->get<std::vector<Real>>("populations");
     const auto& force = checkpoint->get<std::vector<double>>("uniform_force");
