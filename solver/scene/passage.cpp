@@ -271,7 +271,7 @@ class PassageRun {
 
   void resume() {
     if (!context_.resume) return;
-    const auto checkpoint = Checkpoint::load(context_.checkpoint, identity());
+    const std::optional<Checkpoint> checkpoint = Checkpoint::load(context_.checkpoint, identity());
     if (!checkpoint) return;
     lattice_.populations() = checkpoint->get<std::vector<Real>>("populations");
     const auto& force = checkpoint->get<std::vector<double>>("uniform_force");
