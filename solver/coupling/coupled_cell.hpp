@@ -22,7 +22,8 @@ namespace dld {
 
 struct CouplingModel {
   Kernel kernel = Kernel::phi4;
-  double mobility = 0.0;  ///< wanted for the sub-grid regularisation, velocity / force (see stable_mobility); 0: off
+  double mobility =
+      0.0;  ///< wanted for the sub-grid regularisation, velocity / force (see stable_mobility); 0: off
   bool project_volume = true;
   double volume_relaxation_steps = 50.0;  ///< T
   Repulsion pillar_repulsion, wall_repulsion;

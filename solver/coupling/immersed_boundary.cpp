@@ -14,7 +14,9 @@ namespace stdx = std::experimental;
 
 constexpr int padding = 4;  ///< places behind a row that continue it periodically
 
-int floor_div(int a, int n) { return a >= 0 ? a / n : -((-a + n - 1) / n); }
+int floor_div(int a, int n) {
+  return a >= 0 ? a / n : -((-a + n - 1) / n);
+}
 
 int kernel_width(Kernel kernel) {
   return kernel == Kernel::phi2 ? Phi2::width : kernel == Kernel::phi3 ? Phi3::width : Phi4::width;
@@ -33,7 +35,8 @@ std::vector<CoupledNode> coupled_nodes(const Eigen::MatrixX3d& vertices, bool mi
   const auto key = [&](double a) { return std::llround(a / tolerance / 4); };
   std::map<std::tuple<long long, long long, long long>, int> below;
   for (int i = 0; i < n; ++i) {
-    if (vertices(i, 2) < -tolerance) below[{key(vertices(i, 0)), key(vertices(i, 1)), key(-vertices(i, 2))}] = i;
+    if (vertices(i, 2) < -tolerance)
+      below[{key(vertices(i, 0)), key(vertices(i, 1)), key(-vertices(i, 2))}] = i;
   }
   for (int i = 0; i < n; ++i) {
     if (vertices(i, 2) < -tolerance) continue;
@@ -49,7 +52,8 @@ std::vector<CoupledNode> coupled_nodes(const Eigen::MatrixX3d& vertices, bool mi
 }
 
 template <class Real>
-ImmersedBoundary<Real>::ImmersedBoundary(Lattice<Real>& lattice, Kernel kernel, std::vector<CoupledNode> nodes)
+ImmersedBoundary<Real>::ImmersedBoundary(Lattice<Real>& lattice, Kernel kernel,
+                                         std::vector<CoupledNode> nodes)
     : lattice_(lattice),
       kernel_(kernel),
       nodes_(std::move(nodes)),
@@ -63,7 +67,8 @@ ImmersedBoundary<Real>::ImmersedBoundary(Lattice<Real>& lattice, Kernel kernel, 
     if (cell.side(raw) == HeightSide::inside) {
       const NodeImage image = cell.wrap(0, 0, raw);
       // A mirror image far below the plane would lie beyond the other wall.
-      if (image.z < cell.nz) at = {static_cast<std::uint32_t>(image.z) * layout.row, image.mirrored ? -1.0 : 1.0, 1.0};
+      if (image.z < cell.nz)
+        at = {static_cast<std::uint32_t>(image.z) * layout.row, image.mirrored ? -1.0 : 1.0, 1.0};
     }
     layers_.push_back(at);
   }
@@ -79,7 +84,7 @@ ImmersedBoundary<Real>::ImmersedBoundary(Lattice<Real>& lattice, Kernel kernel, 
 template <class Real>
 template <class Phi>
 typename ImmersedBoundary<Real>::Stencil ImmersedBoundary<Real>::stencil(double x, double y, double z,
-                                                                        bool near_solid) const {
+                                                                         bool near_solid) const {
   const UnitCell& cell = lattice_.cell();
   const LatticeLayout& layout = lattice_.layout();
   Stencil s{};
@@ -119,7 +124,8 @@ typename ImmersedBoundary<Real>::Stencil ImmersedBoundary<Real>::stencil(double 
     for (std::size_t i = 0; i < Phi::width; ++i) {
       for (std::size_t k = 0; k < Phi::width; ++k) {
         for (std::size_t j = 0; j < Phi::width; ++j) {
-          fluid += static_cast<double>(s.wx[i]) * static_cast<double>(s.wz[k]) * static_cast<double>(s.wy[j]) *
+          fluid += static_cast<double>(s.wx[i]) * static_cast<double>(s.wz[k]) *
+                   static_cast<double>(s.wy[j]) *
                    static_cast<double>(lattice_.fluid_mask[s.plane[i] + s.layer[k] + j]);
         }
       }
@@ -131,7 +137,8 @@ typename ImmersedBoundary<Real>::Stencil ImmersedBoundary<Real>::stencil(double 
 
 template <class Real>
 template <class Phi>
-void ImmersedBoundary<Real>::locate_with(const Eigen::MatrixX3d& x, const std::vector<std::uint8_t>& near_solid) {
+void ImmersedBoundary<Real>::locate_with(const Eigen::MatrixX3d& x,
+                                         const std::vector<std::uint8_t>& near_solid) {
   const UnitCell& cell = lattice_.cell();
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const int v = nodes_[n].vertex;
@@ -143,9 +150,15 @@ void ImmersedBoundary<Real>::locate_with(const Eigen::MatrixX3d& x, const std::v
 template <class Real>
 void ImmersedBoundary<Real>::locate(const Eigen::MatrixX3d& x, const std::vector<std::uint8_t>& near_solid) {
   switch (kernel_) {
-    case Kernel::phi2: locate_with<Phi2>(x, near_solid); break;
-    case Kernel::phi3: locate_with<Phi3>(x, near_solid); break;
-    case Kernel::phi4: locate_with<Phi4>(x, near_solid); break;
+    case Kernel::phi2:
+      locate_with<Phi2>(x, near_solid);
+      break;
+    case Kernel::phi3:
+      locate_with<Phi3>(x, near_solid);
+      break;
+    case Kernel::phi4:
+      locate_with<Phi4>(x, near_solid);
+      break;
   }
   mark_active(x);
 }
@@ -224,7 +237,8 @@ void ImmersedBoundary<Real>::interpolate(Eigen::MatrixX3d& v) {
     const Four wy(s.wy.data(), stdx::element_aligned);
     const CoupledNode& node = nodes_[n];
     const bool on_plane = node.mirror_vertex == node.vertex;
-    const double vx = static_cast<double>(stdx::reduce(ux * wy)), vy = static_cast<double>(stdx::reduce(uy * wy));
+    const double vx = static_cast<double>(stdx::reduce(ux * wy)),
+                 vy = static_cast<double>(stdx::reduce(uy * wy));
     const double vz = on_plane ? 0.0 : static_cast<double>(stdx::reduce(uz * wy));
     v.row(node.vertex) << vx, vy, vz;
     if (node.mirror_vertex >= 0 && !on_plane) v.row(node.mirror_vertex) << vx, vy, -vz;

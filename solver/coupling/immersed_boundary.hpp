@@ -42,10 +42,10 @@ class ImmersedBoundary {
  private:
   struct Stencil {
     std::array<Real, 4> wx, wy, wz;
-    std::array<Real, 4> sign;           ///< -1 where the layer is a mirror image
-    std::array<std::uint32_t, 4> plane; ///< index of (x, first y, layer 0)
-    std::array<std::uint32_t, 4> layer; ///< offset of the layer
-    Real scale;                         ///< 1 / sum of the weights on fluid nodes
+    std::array<Real, 4> sign;            ///< -1 where the layer is a mirror image
+    std::array<std::uint32_t, 4> plane;  ///< index of (x, first y, layer 0)
+    std::array<std::uint32_t, 4> layer;  ///< offset of the layer
+    Real scale;                          ///< 1 / sum of the weights on fluid nodes
     bool masked;
   };
 

@@ -6,8 +6,8 @@
 namespace dld {
 
 struct Repulsion {
-  double strength = 0.0;  ///< K, lattice units of force
-  double range = 1.0;     ///< h0, lattice spacings
+  double strength = 0.0;                             ///< K, lattice units of force
+  double range = 1.0;                                ///< h0, lattice spacings
   static constexpr double smallest_distance = 0.25;  ///< keeps the force finite
 
   double force(double h) const {

@@ -24,14 +24,16 @@ bool left_of(const Eigen::MatrixX3d& x, int a, int b, double px, double py) {
 
 }  // namespace
 
-double winding_number(const Eigen::MatrixX3d& x, const Eigen::MatrixX3i& faces, const Eigen::RowVector3d& point) {
+double winding_number(const Eigen::MatrixX3d& x, const Eigen::MatrixX3i& faces,
+                      const Eigen::RowVector3d& point) {
   // Solid angle of a triangle: van Oosterom and Strackee 1983.
   double angle = 0.0;
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
     const Eigen::RowVector3d a = x.row(faces(f, 0)) - point, b = x.row(faces(f, 1)) - point,
                              c = x.row(faces(f, 2)) - point;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    angle += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    angle +=
+        2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return angle / (4.0 * std::numbers::pi);
 }
@@ -68,10 +70,12 @@ void InsideMarker::cut_columns(const Eigen::MatrixX3d& x) {
     const auto [y_min, y_max] = std::minmax({x(a, 1), x(b, 1), x(c, 1)});
     for (int px = static_cast<int>(std::ceil(x_min)); px <= x_max; ++px) {
       for (int py = static_cast<int>(std::ceil(y_min)); py <= y_max; ++py) {
-        const bool ab = left_of(x, a, b, px, py), bc = left_of(x, b, c, px, py), ca = left_of(x, c, a, px, py);
+        const bool ab = left_of(x, a, b, px, py), bc = left_of(x, b, c, px, py),
+                   ca = left_of(x, c, a, px, py);
         if (ab != bc || bc != ca) continue;
         // Height of the triangle's plane over the column.
-        const double ux = x(b, 0) - x(a, 0), uy = x(b, 1) - x(a, 1), vx = x(c, 0) - x(a, 0), vy = x(c, 1) - x(a, 1);
+        const double ux = x(b, 0) - x(a, 0), uy = x(b, 1) - x(a, 1), vx = x(c, 0) - x(a, 0),
+                     vy = x(c, 1) - x(a, 1);
         const double area = ux * vy - uy * vx;
         if (area == 0.0) continue;
         const double s = ((px - x(a, 0)) * vy - (py - x(a, 1)) * vx) / area;
@@ -102,9 +106,13 @@ void InsideMarker::fill_column(const Eigen::MatrixX3d& x, int i, int j, std::vec
 }
 
 template <class Real>
-ViscosityField<Real>::ViscosityField(Lattice<Real>& lattice, const Eigen::MatrixX3i& faces, double tau_outside,
-                                     double tau_inside, bool smoothed)
-    : lattice_(lattice), marker_(faces), tau_outside_(tau_outside), tau_inside_(tau_inside), smoothed_(smoothed) {}
+ViscosityField<Real>::ViscosityField(Lattice<Real>& lattice, const Eigen::MatrixX3i& faces,
+                                     double tau_outside, double tau_inside, bool smoothed)
+    : lattice_(lattice),
+      marker_(faces),
+      tau_outside_(tau_outside),
+      tau_inside_(tau_inside),
+      smoothed_(smoothed) {}
 
 template <class Real>
 void ViscosityField<Real>::update(const Eigen::MatrixX3d& x) {
@@ -131,7 +139,8 @@ void ViscosityField<Real>::update(const Eigen::MatrixX3d& x) {
           for (int a = -1; a <= 1; ++a) {
             for (int b = -1; b <= 1; ++b) {
               for (int c = -1; c <= 1; ++c) {
-                share += (2 - std::abs(a)) * (2 - std::abs(b)) * (2 - std::abs(c)) * marked(i + a, j + b, k + c);
+                share +=
+                    (2 - std::abs(a)) * (2 - std::abs(b)) * (2 - std::abs(c)) * marked(i + a, j + b, k + c);
               }
             }
           }
@@ -148,7 +157,8 @@ void ViscosityField<Real>::set(int x, int y, int z, double inside_share) {
   const NodeImage image = lattice_.cell().wrap(x, y, z);
   const std::uint32_t node = lattice_.layout().node(image.x, image.y, image.z);
   // Viscosity is linear in the inside share, and so is tau.
-  lattice_.relaxation_time[node] = static_cast<Real>(tau_outside_ + inside_share * (tau_inside_ - tau_outside_));
+  lattice_.relaxation_time[node] =
+      static_cast<Real>(tau_outside_ + inside_share * (tau_inside_ - tau_outside_));
   changed_.push_back(node);
 }
 

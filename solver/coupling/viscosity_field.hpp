@@ -41,7 +41,8 @@ class InsideMarker {
 };
 
 /// Solid angle of the mesh seen from a point, divided by 4 pi: 1 inside, 0 outside.
-double winding_number(const Eigen::MatrixX3d& x, const Eigen::MatrixX3i& faces, const Eigen::RowVector3d& point);
+double winding_number(const Eigen::MatrixX3d& x, const Eigen::MatrixX3i& faces,
+                      const Eigen::RowVector3d& point);
 
 /// Keeps lattice.relaxation_time up to date with the cell's place.
 template <class Real>

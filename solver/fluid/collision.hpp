@@ -45,14 +45,15 @@ inline Rates<Value> bgk_rates(Value tau) {
 template <class Value>
 struct Moments {
   Value density_deviation;  ///< rho - 1
-  Value ux, uy, uz;        ///< u = (sum c f + F/2) / rho; Stokes: without the division
+  Value ux, uy, uz;         ///< u = (sum c f + F/2) / rho; Stokes: without the division
 };
 
 /// One node's collision. `f` holds 19 values and is overwritten; returns the moments that were used.
 /// Stokes = true drops the terms of second order in u (equilibrium and source) and takes rho = 1 in the
 /// momentum, so that the scheme is exactly linear.
 template <bool Stokes, class Value>
-[[gnu::always_inline]] inline Moments<Value> collide(Value (&f)[d3q19::directions], Value fx, Value fy, Value fz, Rates<Value> rate) {
+[[gnu::always_inline]] inline Moments<Value> collide(Value (&f)[d3q19::directions], Value fx, Value fy,
+                                                     Value fz, Rates<Value> rate) {
   using namespace d3q19;
   using Real = Scalar<Value>;
   constexpr Real half = Real(0.5);

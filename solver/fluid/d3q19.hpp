@@ -36,8 +36,12 @@ inline constexpr double weight_rest = 1.0 / 3.0;
 inline constexpr double weight_axis = 1.0 / 18.0;
 inline constexpr double weight_diagonal = 1.0 / 36.0;
 
-constexpr double weight(int i) { return i == 0 ? weight_rest : i <= 6 ? weight_axis : weight_diagonal; }
-constexpr int opposite(int i) { return i == 0 ? 0 : (i % 2 == 1 ? i + 1 : i - 1); }
+constexpr double weight(int i) {
+  return i == 0 ? weight_rest : i <= 6 ? weight_axis : weight_diagonal;
+}
+constexpr int opposite(int i) {
+  return i == 0 ? 0 : (i % 2 == 1 ? i + 1 : i - 1);
+}
 
 /// Direction with the z-component reversed (mirror plane).
 constexpr int mirrored(int i) {

@@ -46,8 +46,8 @@ template <bool Stokes, bool Local>
 void Lattice<Real>::collide_run(Phase phase, const Segment& run) {
   using Vector = stdx::native_simd<Real>;
   constexpr int width = static_cast<int>(Vector::size());
-  // Each pair exchanges its two places: the local step reads f_i and f_-i of the node and leaves them swapped;
-  // the streaming step reads them from the neighbours and writes them to the neighbours beyond.
+  // Each pair exchanges its two places: the local step reads f_i and f_-i of the node and leaves them
+  // swapped; the streaming step reads them from the neighbours and writes them to the neighbours beyond.
   std::array<Real*, pairs> first, second;
   const std::uint32_t start = layout_.node(run.x, run.y, run.z);  // in the fields
   Real* const base = populations_.data() + layout_.population(0, run.x, run.y, run.z);
@@ -105,8 +105,9 @@ void Lattice<Real>::collide_run(Phase phase, const Segment& run) {
         [](const Vector& v, Real* to) { v.copy_to(to, stdx::element_aligned); });
   }
   if (k < run.length) {
-    const typename Vector::mask_type tail =
-        Vector([](auto lane) { return static_cast<Real>(static_cast<int>(lane)); }) < static_cast<Real>(run.length - k);
+    const typename Vector::mask_type tail = Vector([](auto lane) {
+                                              return static_cast<Real>(static_cast<int>(lane));
+                                            }) < static_cast<Real>(run.length - k);
     advance(
         k,
         [&](Vector& v, const Real* from) {
@@ -145,7 +146,9 @@ template <class Real>
 template <bool Stokes>
 void Lattice<Real>::step_with(const std::vector<ActiveRange>& active) {
   const int nx = cell_.nx;
-  const auto range = [&](int x) { return active.empty() ? ActiveRange{} : active[static_cast<std::size_t>(x)]; };
+  const auto range = [&](int x) {
+    return active.empty() ? ActiveRange{} : active[static_cast<std::size_t>(x)];
+  };
   if (even_) {
     // Only the planes of the cell, whose velocity is wanted now; the others follow with the streaming step.
     for (int x = 0; x < nx; ++x) {
@@ -237,7 +240,8 @@ FlowStatistics Lattice<Real>::statistics() const {
       const std::uint32_t here = start + static_cast<std::uint32_t>(k);
       double deviation = 0, jx = 0, jy = 0, jz = 0;
       for (int i = 0; i < directions; ++i) {
-        const double f = static_cast<double>(f0[static_cast<std::size_t>(i) * layout_.plane + static_cast<std::size_t>(k)]);
+        const double f = static_cast<double>(
+            f0[static_cast<std::size_t>(i) * layout_.plane + static_cast<std::size_t>(k)]);
         const auto v = d3q19::c[static_cast<std::size_t>(i)];
         deviation += f;
         jx += v.x * f;

@@ -1,8 +1,8 @@
 #pragma once
 /// The fluid on the lattice of one unit cell: storage, time step, moments. Populations live in one array and
-/// stream in place, in pairs of a local and a streaming step (AA pattern). The local step of a plane without a
-/// cell is put off until the streaming step comes by: both then find the plane in the fast cache, and the memory
-/// is read once for two steps.
+/// stream in place, in pairs of a local and a streaming step (AA pattern). The local step of a plane without
+/// a cell is put off until the streaming step comes by: both then find the plane in the fast cache, and the
+/// memory is read once for two steps.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -34,8 +34,8 @@ struct FlowStatistics {
   double max_speed = 0;
 };
 
-/// Nodes with a force or a relaxation time of their own (around the cell): per x-plane a range of y, which may
-/// run past ny (periodic). Empty planes have length 0.
+/// Nodes with a force or a relaxation time of their own (around the cell): per x-plane a range of y, which
+/// may run past ny (periodic). Empty planes have length 0.
 struct ActiveRange {
   int begin = 0;   ///< first y, 0 <= begin < ny
   int length = 0;  ///< number of y values
@@ -50,8 +50,8 @@ class Lattice {
   void set_uniform_force(double fx, double fy, double fz) { uniform_force_ = {fx, fy, fz}; }
   std::array<double, 3> uniform_force() const { return uniform_force_; }
 
-  /// One time step. Inside `active` the local arrays force[] (added to the uniform force) and tau are used and
-  /// velocity[] is written: u = (sum c f + F/2)/rho before the collision.
+  /// One time step. Inside `active` the local arrays force[] (added to the uniform force) and tau are used
+  /// and velocity[] is written: u = (sum c f + F/2)/rho before the collision.
   void step(const std::vector<ActiveRange>& active);
   void step() { step({}); }
   /// Number of steps so far is even: populations are in their natural places and moments can be read.
@@ -71,7 +71,8 @@ class Lattice {
   std::size_t fluid_nodes() const { return fluid_nodes_; }
   std::size_t memory_bytes() const;
 
-  /// Local force, relaxation time, velocity and fluid mask (1 fluid, 0 solid or outside) by layout().node(...).
+  /// Local force, relaxation time, velocity and fluid mask (1 fluid, 0 solid or outside) by
+  /// layout().node(...).
   std::array<std::vector<Real>, 3> force, velocity;
   std::vector<Real> relaxation_time;
   std::vector<Real> fluid_mask;
@@ -121,9 +122,8 @@ void Lattice<Real>::initialise(Function&& velocity_at) {
       for (int z = 0; z < cell_.nz; ++z) {
         if (cell_.is_solid(x, y, z)) continue;
         const std::array<double, 3> u = velocity_at(x, y, z);
-        const double u2 = model_.equilibrium == EquilibriumModel::stokes
-                              ? 0.0
-                              : u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+        const double u2 =
+            model_.equilibrium == EquilibriumModel::stokes ? 0.0 : u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
         for (int i = 0; i < d3q19::directions; ++i) {
           const auto v = d3q19::c[static_cast<std::size_t>(i)];
           const double cu = v.x * u[0] + v.y * u[1] + v.z * u[2];

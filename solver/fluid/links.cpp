@@ -12,12 +12,14 @@ using d3q19::c;
 using d3q19::mirrored;
 using d3q19::opposite;
 
-d3q19::Velocity velocity(int i) { return c[static_cast<std::size_t>(i)]; }
+d3q19::Velocity velocity(int i) {
+  return c[static_cast<std::size_t>(i)];
+}
 
 /// A population f_i at a fluid node, addressed in the two states of the in-place scheme.
 struct Population {
-  std::uint32_t after_local;     ///< where the local step left the post-collision f*_i of the node
-  std::uint32_t after_streaming; ///< where the streaming step wrote the post-collision f*_i of the node
+  std::uint32_t after_local;      ///< where the local step left the post-collision f*_i of the node
+  std::uint32_t after_streaming;  ///< where the streaming step wrote the post-collision f*_i of the node
 };
 
 class LinkBuilder {
@@ -116,7 +118,8 @@ class LinkBuilder {
 
   void combine(const Population& to, std::array<Population, 2> from, std::array<double, 2> weight) {
     before_.combinations.push_back({to.after_local, {from[0].after_local, from[1].after_local}, weight});
-    after_.combinations.push_back({to.after_streaming, {from[0].after_streaming, from[1].after_streaming}, weight});
+    after_.combinations.push_back(
+        {to.after_streaming, {from[0].after_streaming, from[1].after_streaming}, weight});
   }
 
   /// Links of one plane as they are found.
@@ -133,9 +136,9 @@ class LinkBuilder {
               [](const Combination& a, const Combination& b) { return a.destination < b.destination; });
     std::vector<CopyRun> runs;
     for (const CopyRun& next : found.copies) {
-      const bool continues = !runs.empty() && next.destination == runs.back().destination + runs.back().length &&
-                             next.source == runs.back().source + runs.back().length &&
-                             next.constant == runs.back().constant;
+      const bool continues =
+          !runs.empty() && next.destination == runs.back().destination + runs.back().length &&
+          next.source == runs.back().source + runs.back().length && next.constant == runs.back().constant;
       if (continues) {
         ++runs.back().length;
       } else {
@@ -149,7 +152,8 @@ class LinkBuilder {
         table.runs.push_back(run);
         continue;
       }
-      for (std::uint32_t k = 0; k < run.length; ++k) table.copies.push_back({run.destination + k, run.source + k});
+      for (std::uint32_t k = 0; k < run.length; ++k)
+        table.copies.push_back({run.destination + k, run.source + k});
     }
     table.combinations = std::move(found.combinations);
     return table;
@@ -162,7 +166,9 @@ class LinkBuilder {
   Found before_, after_;
 };
 
-std::uint32_t round_up(std::uint32_t n, std::uint32_t multiple) { return (n + multiple - 1) / multiple * multiple; }
+std::uint32_t round_up(std::uint32_t n, std::uint32_t multiple) {
+  return (n + multiple - 1) / multiple * multiple;
+}
 
 }  // namespace
 

@@ -11,13 +11,14 @@
 
 namespace dld {
 
-/// Places in memory of raw nodes (x, y, z), -1 <= x <= nx and so on. Fields (force, velocity) have one value per
-/// node; populations stand plane by plane, within a plane direction by direction, so that what a step touches
-/// at a time lies together. Rows run along y and start at multiples of 16.
+/// Places in memory of raw nodes (x, y, z), -1 <= x <= nx and so on. Fields (force, velocity) have one value
+/// per node; populations stand plane by plane, within a plane direction by direction, so that what a step
+/// touches at a time lies together. Rows run along y and start at multiples of 16.
 struct LatticeLayout {
   int nx = 0, ny = 0, nz = 0;
-  std::uint32_t row = 0;    ///< distance of rows along z
-  std::uint32_t plane = 0;  ///< values of one plane: distance of planes in fields, of directions in populations
+  std::uint32_t row = 0;  ///< distance of rows along z
+  std::uint32_t plane =
+      0;  ///< values of one plane: distance of planes in fields, of directions in populations
 
   LatticeLayout() = default;
   LatticeLayout(int nx_, int ny_, int nz_);
@@ -70,11 +71,12 @@ struct LinkTable {
   std::vector<Combination> combinations;
 };
 
-/// Tables of the in-place ("AA", Bailey et al. 2009) scheme, one per plane x. `before[x]` fills the slots outside
-/// the fluid that the streaming step of plane x reads; it needs the local step of the planes x - 1 .. x + 1 and
-/// must run before the streaming step of plane x - 1, which overwrites what interpolated walls look at.
-/// `after[x]` brings home what the streaming step of the planes x - 1 .. x + 1 has written outside the fluid; it
-/// must not run ahead of `before[x + 1]`, nor plane 0 ahead of the last plane, its periodic neighbour.
+/// Tables of the in-place ("AA", Bailey et al. 2009) scheme, one per plane x. `before[x]` fills the slots
+/// outside the fluid that the streaming step of plane x reads; it needs the local step of the planes x - 1 ..
+/// x + 1 and must run before the streaming step of plane x - 1, which overwrites what interpolated walls look
+/// at. `after[x]` brings home what the streaming step of the planes x - 1 .. x + 1 has written outside the
+/// fluid; it must not run ahead of `before[x + 1]`, nor plane 0 ahead of the last plane, its periodic
+/// neighbour.
 struct LinkTables {
   std::vector<LinkTable> before, after;
 };

@@ -11,7 +11,9 @@ int floor_mod(int a, int n) {
   return r < 0 ? r + n : r;
 }
 
-int floor_div(int a, int n) { return (a - floor_mod(a, n)) / n; }
+int floor_div(int a, int n) {
+  return (a - floor_mod(a, n)) / n;
+}
 
 }  // namespace
 

@@ -12,7 +12,8 @@ inline Eigen::Vector3d equivalent_semi_axes(const Eigen::MatrixX3d& vertices, co
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
     // Tetrahedron of the face and the origin: exact moments of a simplex.
-    const Eigen::Vector3d a = vertices.row(faces(f, 0)), b = vertices.row(faces(f, 1)), c = vertices.row(faces(f, 2));
+    const Eigen::Vector3d a = vertices.row(faces(f, 0)), b = vertices.row(faces(f, 1)),
+                          c = vertices.row(faces(f, 2));
     const double v = a.dot(b.cross(c)) / 6.0;
     const Eigen::Vector3d sum = a + b + c;
     volume += v;

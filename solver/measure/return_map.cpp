@@ -133,9 +133,8 @@ bool ReturnMap::returns_to_zig() const {
   const double now = crossings_.back().gap_position;
   const auto zig = crossings_.begin() + zig_indices_.front();
   // The first crossing is left out: the cell still has the shape of its start.
-  return std::any_of(crossings_.begin() + 1, zig, [&](const Crossing& earlier) {
-    return now <= earlier.gap_position;
-  });
+  return std::any_of(crossings_.begin() + 1, zig,
+                     [&](const Crossing& earlier) { return now <= earlier.gap_position; });
 }
 
 TrajectoryClass ReturnMap::classify() const {

@@ -45,7 +45,8 @@ struct MapBracket {
 };
 
 /// Decides from the crossings, in the order of rows:
-/// - zigzag: two zigs; or one zig, after which the cell is back at or below a gap position that it held on the
+/// - zigzag: two zigs; or one zig, after which the cell is back at or below a gap position that it held on
+/// the
 ///   way to it. Streamlines keep their order, so the map is monotonic, and what led to a zig once leads there
 ///   again. One zig alone proves nothing, since the start position decides the first.
 /// - displaced: the map has reached its fixed point. The quadratic map through the last four crossings must

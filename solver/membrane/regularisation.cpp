@@ -27,7 +27,8 @@ void force_difference_velocity(const Membrane& membrane, const Eigen::MatrixX3d&
 double largest_stiffness(Membrane& membrane) {
   constexpr int iterations = 60;
   const Eigen::MatrixX3d& x = membrane.reference().vertices;
-  const double step = 1e-6 * std::sqrt(membrane.reference_area() / static_cast<double>(membrane.face_count()));
+  const double step =
+      1e-6 * std::sqrt(membrane.reference_area() / static_cast<double>(membrane.face_count()));
   // A start without symmetry, so that it has a share in every mode.
   Eigen::MatrixX3d mode(x.rows(), 3), forward(x.rows(), 3), backward(x.rows(), 3);
   for (Eigen::Index i = 0; i < mode.size(); ++i) mode(i) = std::sin(1.0 + 12.9898 * static_cast<double>(i));

@@ -22,10 +22,10 @@ void force_difference_velocity(const Membrane& membrane, const Eigen::MatrixX3d&
 /// differences of forces. It limits every explicit update of the nodes.
 double largest_stiffness(Membrane& membrane);
 
-/// The mobility that is used for a wanted one: explicit relaxation of a mode of stiffness k by the velocity above
-/// is stable while (3/2) mobility k < 2 (3/2: largest eigenvalue of the neighbour difference on a triangular
-/// mesh). A share of 1/4 of that leaves room for the stiffening of the deformed shape and for the fluid's own
-/// explicit response.
+/// The mobility that is used for a wanted one: explicit relaxation of a mode of stiffness k by the velocity
+/// above is stable while (3/2) mobility k < 2 (3/2: largest eigenvalue of the neighbour difference on a
+/// triangular mesh). A share of 1/4 of that leaves room for the stiffening of the deformed shape and for the
+/// fluid's own explicit response.
 double stable_mobility(Membrane& membrane, double wanted);
 
 }  // namespace dld

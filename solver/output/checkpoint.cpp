@@ -68,7 +68,9 @@ std::optional<Checkpoint> Checkpoint::load(const std::filesystem::path& path, co
   if (!std::filesystem::exists(path)) return std::nullopt;
   const Hdf5Reader file(path);
   if (file.text_attribute("/", "case") != case_text) {
-    throw IoError(path.string() + " is the checkpoint of another case or another build of the solver; remove it or start with --no-resume");
+    throw IoError(path.string() +
+                  " is the checkpoint of another case or another build of the solver; remove it or start "
+                  "with --no-resume");
   }
   Checkpoint checkpoint(case_text);
   if (file.exists(arrays)) {

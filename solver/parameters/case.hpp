@@ -8,94 +8,95 @@
 namespace dld {
 
 struct GeometryParameters {
-  std::string pillar_shape = "circle";       ///< name in the pillar registry; "none" for an empty slit
-  double pillar_radius_um = 10.0;            ///< R
-  double pitch_um = 32.0;                    ///< lambda, in x and in y
-  double row_shift_um = 6.0;                 ///< d; the case may give epsilon = d / lambda instead
-  double depth_um = 4.8;                     ///< H, between the bottom and the top wall
-  std::string pillar_center = "node";        ///< "node" | "between_nodes" (in x and y)
-  std::string surface_nodes = "solid";       ///< a node exactly on the surface is "solid" | "fluid"
-  std::string height = "half";               ///< "half" (mirror plane at z = 0) | "full"
+  std::string pillar_shape = "circle";  ///< name in the pillar registry; "none" for an empty slit
+  double pillar_radius_um = 10.0;       ///< R
+  double pitch_um = 32.0;               ///< lambda, in x and in y
+  double row_shift_um = 6.0;            ///< d; the case may give epsilon = d / lambda instead
+  double depth_um = 4.8;                ///< H, between the bottom and the top wall
+  std::string pillar_center = "node";   ///< "node" | "between_nodes" (in x and y)
+  std::string surface_nodes = "solid";  ///< a node exactly on the surface is "solid" | "fluid"
+  std::string height = "half";          ///< "half" (mirror plane at z = 0) | "full"
 };
 
 struct FluidParameters {
-  double lattice_spacing_um = 0.4;           ///< dx
-  std::string precision = "single";          ///< "single" | "double"
-  std::string collision = "trt";             ///< "bgk" | "trt"
-  double magic_parameter = 0.1875;           ///< Lambda of TRT
-  std::string equilibrium = "stokes";        ///< "full" | "stokes" (quadratic terms dropped)
-  std::string walls = "interpolated";        ///< pillar surface: "half_way" | "interpolated"
-  double relaxation_time = 1.0;              ///< tau of the suspending fluid; nu = (tau - 1/2) / 3
-  double force_density = 9.36e-5;            ///< along x, lattice units at lattice_spacing_um
-  std::string lateral_flow = "free";         ///< "free" | "blocked" (mean u_y held at zero)
+  double lattice_spacing_um = 0.4;     ///< dx
+  std::string precision = "single";    ///< "single" | "double"
+  std::string collision = "trt";       ///< "bgk" | "trt"
+  double magic_parameter = 0.1875;     ///< Lambda of TRT
+  std::string equilibrium = "stokes";  ///< "full" | "stokes" (quadratic terms dropped)
+  std::string walls = "interpolated";  ///< pillar surface: "half_way" | "interpolated"
+  double relaxation_time = 1.0;        ///< tau of the suspending fluid; nu = (tau - 1/2) / 3
+  double force_density = 9.36e-5;      ///< along x, lattice units at lattice_spacing_um
+  std::string lateral_flow = "free";   ///< "free" | "blocked" (mean u_y held at zero)
 };
 
 struct StartParameters {
-  double x_um = -16.0;                       ///< centre, relative to the pillar line of row 0
-  double gap_position_um = -1.0;             ///< centre above the surface of the pillar below; < 0: chosen
-  double z_um = 0.0;                         ///< offset from the mid plane (full height only)
-  double tilt_deg = 0.0;                     ///< rotation about y (full height only)
+  double x_um = -16.0;            ///< centre, relative to the pillar line of row 0
+  double gap_position_um = -1.0;  ///< centre above the surface of the pillar below; < 0: chosen
+  double z_um = 0.0;              ///< offset from the mid plane (full height only)
+  double tilt_deg = 0.0;          ///< rotation about y (full height only)
 };
 
 struct CellParameters {
-  std::string shape = "red_blood_cell";      ///< "red_blood_cell" | "sphere"
-  double radius_um = 3.9;                    ///< r (largest radius, in the plane)
-  int mesh_frequency = 10;                   ///< 20 n^2 faces
-  double capillary_number = 0.5;             ///< Ca = p' l r / kS, l = sqrt(G H)
-  double skalak_denominator = 12.0;          ///< k in W = (kS/k)(I1^2 + 2 I1 - 2 I2) + (kalpha/12) I2^2
-  double bending_ratio = 2.4810e-3;          ///< kB / (kS r^2)
-  double local_area_modulus = 28.876;        ///< kalpha / (p' l r)
-  double global_area_modulus = 57.752;       ///< kA / (p' l r)
-  std::string volume_control = "projection"; ///< "projection" | "penalty"
-  double volume_modulus = 563.08;            ///< kV r / (p' l r), used by "penalty"
-  double viscosity_ratio = 5.0;              ///< inside / outside
-  std::string viscosity_field = "sharp";     ///< "sharp" | "smoothed"
-  int viscosity_update_interval = 5;         ///< steps between updates of the inside/outside field
+  std::string shape = "red_blood_cell";       ///< "red_blood_cell" | "sphere"
+  double radius_um = 3.9;                     ///< r (largest radius, in the plane)
+  int mesh_frequency = 10;                    ///< 20 n^2 faces
+  double capillary_number = 0.5;              ///< Ca = p' l r / kS, l = sqrt(G H)
+  double skalak_denominator = 12.0;           ///< k in W = (kS/k)(I1^2 + 2 I1 - 2 I2) + (kalpha/12) I2^2
+  double bending_ratio = 2.4810e-3;           ///< kB / (kS r^2)
+  double local_area_modulus = 28.876;         ///< kalpha / (p' l r)
+  double global_area_modulus = 57.752;        ///< kA / (p' l r)
+  std::string volume_control = "projection";  ///< "projection" | "penalty"
+  double volume_modulus = 563.08;             ///< kV r / (p' l r), used by "penalty"
+  double viscosity_ratio = 5.0;               ///< inside / outside
+  std::string viscosity_field = "sharp";      ///< "sharp" | "smoothed"
+  int viscosity_update_interval = 5;          ///< steps between updates of the inside/outside field
   StartParameters start;
 };
 
 struct CouplingParameters {
-  std::string kernel = "phi4";               ///< "phi2" | "phi3" | "phi4"
-  std::string regularisation = "force_difference"; ///< sub-grid mesh modes: "none" | "force_difference"
-  double regularisation_strength = 0.1;      ///< share of the nodal force difference turned into velocity, times 1/(eta dx)
-  double pillar_repulsion = 2.815;           ///< K / (p' l dx^2), force K (1/h^2 - 1/h0^2)
-  double wall_repulsion = 0.0;               ///< the same for the top and bottom walls; 0 switches it off
-  double repulsion_range = 1.0;              ///< h0 in lattice spacings
+  std::string kernel = "phi4";                      ///< "phi2" | "phi3" | "phi4"
+  std::string regularisation = "force_difference";  ///< sub-grid mesh modes: "none" | "force_difference"
+  double regularisation_strength =
+      0.1;  ///< share of the nodal force difference turned into velocity, times 1/(eta dx)
+  double pillar_repulsion = 2.815;  ///< K / (p' l dx^2), force K (1/h^2 - 1/h0^2)
+  double wall_repulsion = 0.0;      ///< the same for the top and bottom walls; 0 switches it off
+  double repulsion_range = 1.0;     ///< h0 in lattice spacings
 };
 
 struct StopParameters {
-  int max_rows = 0;                          ///< passage: 0 means ceil(1/epsilon) + 2 beyond the start transient
-  double map_tolerance_um = 0.02;            ///< passage: extrapolated distance to the fixed point of the return map
-  double steady_tolerance = 1e-8;            ///< streamlines, channel: relative change of the flow per 100 steps
-  long max_steps = 4000000;                  ///< a run that reaches this is labelled undecided
+  int max_rows = 0;                ///< passage: 0 means ceil(1/epsilon) + 2 beyond the start transient
+  double map_tolerance_um = 0.02;  ///< passage: extrapolated distance to the fixed point of the return map
+  double steady_tolerance = 1e-8;  ///< streamlines, channel: relative change of the flow per 100 steps
+  long max_steps = 4000000;        ///< a run that reaches this is labelled undecided
 };
 
 struct StretchingParameters {
-  std::string method = "static";             ///< "static" (energy minimisation) | "coupled" (through the fluid)
+  std::string method = "static";  ///< "static" (energy minimisation) | "coupled" (through the fluid)
   std::vector<double> forces_pN = {0, 20, 40, 60, 80, 100, 150, 200};
-  double contact_radius_um = 1.0;            ///< 3D distance from the tip
-  double shear_modulus_uN_per_m = 5.3;       ///< kS
+  double contact_radius_um = 1.0;       ///< 3D distance from the tip
+  double shear_modulus_uN_per_m = 5.3;  ///< kS
 };
 
 struct ShearParameters {
-  double capillary_number = 0.02;            ///< eta gdot a / kS' with kS' = kS (as printed in the energy)
-  double reynolds_number = 0.05;             ///< gdot a^2 / nu
-  double box_um = 32.0;                      ///< cubic box: periodic in x, y; moving walls in z
-  double duration = 4.0;                     ///< in units of 1 / gdot
+  double capillary_number = 0.02;  ///< eta gdot a / kS' with kS' = kS (as printed in the energy)
+  double reynolds_number = 0.05;   ///< gdot a^2 / nu
+  double box_um = 32.0;            ///< cubic box: periodic in x, y; moving walls in z
+  double duration = 4.0;           ///< in units of 1 / gdot
 };
 
 struct ChannelParameters {
-  double width_um = 0.0;                     ///< 0: plane channel of depth H; else a duct of width x depth
+  double width_um = 0.0;  ///< 0: plane channel of depth H; else a duct of width x depth
 };
 
 struct OutputParameters {
-  bool flow_field = true;                    ///< mid-plane velocity field
-  int snapshots_per_row = 0;                 ///< membrane snapshots besides those at the pillar lines
+  bool flow_field = true;     ///< mid-plane velocity field
+  int snapshots_per_row = 0;  ///< membrane snapshots besides those at the pillar lines
   int trajectory_samples_per_row = 50;
 };
 
 struct Case {
-  std::string scene = "passage";             ///< streamlines | stretching | passage | channel | shear
+  std::string scene = "passage";  ///< streamlines | stretching | passage | channel | shear
   GeometryParameters geometry;
   FluidParameters fluid;
   CellParameters cell;

@@ -76,7 +76,8 @@ Json expected_cost(const Case& c) {
   const double nodes = static_cast<double>(l.nx) * l.ny * l.nz *
                        (1 - 3.14 * l.pillar_radius * l.pillar_radius / (static_cast<double>(l.nx) * l.ny));
   const double slit_speed = l.force_density * l.depth * l.depth / (12 * l.viscosity);
-  const double diffusion_steps = l.depth * l.depth / l.viscosity;  // the flow settles within about two of these
+  const double diffusion_steps =
+      l.depth * l.depth / l.viscosity;  // the flow settles within about two of these
   const double per_row = l.nx / (array_share * slit_speed);
   const double steps = 2 * diffusion_steps + (c.scene == "passage" ? typical_rows * per_row : 0);
   return {{"steps_per_row", c.scene == "passage" ? Json(std::round(per_row)) : Json(nullptr)},

@@ -20,9 +20,9 @@ nlohmann::ordered_json si_numbers(const Case& c);
 /// Estimate of the memory of the fields, MiB.
 double memory_MiB(const Case& c);
 
-/// What a passage or a cell-free flow will cost: steps per pillar row at the mean speed of an unobstructed slit
-/// times 0.6 (the array's share), node updates for a typical ten rows, and seconds at 60 million node updates per
-/// second, a slow core's rate with the cell included.
+/// What a passage or a cell-free flow will cost: steps per pillar row at the mean speed of an unobstructed
+/// slit times 0.6 (the array's share), node updates for a typical ten rows, and seconds at 60 million node
+/// updates per second, a slow core's rate with the cell included.
 nlohmann::ordered_json expected_cost(const Case& c);
 
 nlohmann::ordered_json margins_json(const std::vector<Margin>& margins);

@@ -7,35 +7,35 @@ namespace dld {
 /// Everything a scene needs in lattice units (lu). Stresses scale with the driving force density, so
 /// the physics depends on the dimensionless numbers of the case alone (Stokes similarity).
 struct LatticeParameters {
-  int nx = 0, ny = 0;          ///< nodes of the unit cell along x and y: pitch / dx
-  int nz = 0;                  ///< layers simulated: depth / dx, or half of it with the mirror
-  int row_shift = 0;           ///< d / dx, a whole number
+  int nx = 0, ny = 0;  ///< nodes of the unit cell along x and y: pitch / dx
+  int nz = 0;          ///< layers simulated: depth / dx, or half of it with the mirror
+  int row_shift = 0;   ///< d / dx, a whole number
   bool half_height = true;
-  double pillar_radius = 0;    ///< R
-  double gap = 0, depth = 0;   ///< G = pitch - 2 R, H
-  double length_scale = 0;     ///< l = sqrt(G H)
-  double force_density = 0;    ///< p', along x
-  double viscosity = 0;        ///< nu outside the cell
+  double pillar_radius = 0;   ///< R
+  double gap = 0, depth = 0;  ///< G = pitch - 2 R, H
+  double length_scale = 0;    ///< l = sqrt(G H)
+  double force_density = 0;   ///< p', along x
+  double viscosity = 0;       ///< nu outside the cell
   double tau_outside = 0, tau_inside = 0;
-  double cell_radius = 0;      ///< r
-  double tension_scale = 0;    ///< p' l r, unit of all membrane moduli
-  double shear_modulus = 0;    ///< kS
-  double bending_modulus = 0;  ///< kB
-  double local_area_modulus = 0;   ///< kalpha
-  double global_area_modulus = 0;  ///< kA
-  double volume_modulus = 0;       ///< kV
+  double cell_radius = 0;                                      ///< r
+  double tension_scale = 0;                                    ///< p' l r, unit of all membrane moduli
+  double shear_modulus = 0;                                    ///< kS
+  double bending_modulus = 0;                                  ///< kB
+  double local_area_modulus = 0;                               ///< kalpha
+  double global_area_modulus = 0;                              ///< kA
+  double volume_modulus = 0;                                   ///< kV
   double repulsion_strength = 0, wall_repulsion_strength = 0;  ///< K, lu of force
-  double um_per_lu = 0;        ///< dx in um
+  double um_per_lu = 0;                                        ///< dx in um
 };
 
 LatticeParameters to_lattice(const Case& c);
 
 /// SI scales for a fluid of viscosity eta_Pa_s and a membrane of shear modulus kS_N_per_m.
 struct SiScales {
-  double pressure_gradient_Pa_per_m = 0;  ///< p' that gives the case's Ca: Ca kS / (l r)
-  double velocity_m_per_s_per_lu = 0;     ///< a lattice velocity in m/s at that p'
-  double time_step_s = 0;                 ///< dt
-  double resistance_Pa_s_per_m2_per_lu = 0; ///< multiply force_density / u (lu) by this: eta / (nu dx^2)
+  double pressure_gradient_Pa_per_m = 0;     ///< p' that gives the case's Ca: Ca kS / (l r)
+  double velocity_m_per_s_per_lu = 0;        ///< a lattice velocity in m/s at that p'
+  double time_step_s = 0;                    ///< dt
+  double resistance_Pa_s_per_m2_per_lu = 0;  ///< multiply force_density / u (lu) by this: eta / (nu dx^2)
 };
 
 SiScales to_si(const Case& c, double eta_Pa_s = 1e-3, double shear_modulus_N_per_m = 5.3e-6);

@@ -1,4 +1,5 @@
-/// Scene `channel`: force-driven flow through a plane channel (width 0) or a rectangular duct, for validation.
+/// Scene `channel`: force-driven flow through a plane channel (width 0) or a rectangular duct, for
+/// validation.
 ///
 ///   eta laplace u + f = 0, u = 0 on the walls; z = +- H/2, and y = +- W/2 for the duct.
 ///   Plane channel: u = f (H^2/4 - z^2) / (2 nu). Duct: series of White, Viscous Fluid Flow (1991), eq. 3-48.
@@ -26,8 +27,9 @@ double exact_velocity(double y, double z, double width, double depth, double f_o
     const double beta = (2 * k + 1) * std::numbers::pi / depth;
     const double sign = k % 2 == 0 ? 1.0 : -1.0;
     // cosh(beta y) / cosh(beta W/2) without overflow.
-    const double ratio = (std::exp(beta * (std::abs(y) - 0.5 * width)) + std::exp(-beta * (std::abs(y) + 0.5 * width))) /
-                         (1.0 + std::exp(-beta * width));
+    const double ratio =
+        (std::exp(beta * (std::abs(y) - 0.5 * width)) + std::exp(-beta * (std::abs(y) + 0.5 * width))) /
+        (1.0 + std::exp(-beta * width));
     u -= f_over_nu * 4.0 * sign / (depth * beta * beta * beta) * ratio * std::cos(beta * z);
   }
   return u;

@@ -15,16 +15,16 @@ struct Failure {
 
 /// Bounds beyond which a coupled run is no longer a simulation of anything.
 struct MonitorLimits {
-  double speed = 0.3;           ///< of a node, lattice units (Mach 0.5)
-  double volume_change = 0.2;   ///< |dV| / V0
-  double area_change = 0.5;     ///< |dA| / A0
-  double face_ratio = 0.01;     ///< smallest face area / reference
-  double penetration = 2.0;     ///< of a node into a pillar, lattice spacings
+  double speed = 0.3;          ///< of a node, lattice units (Mach 0.5)
+  double volume_change = 0.2;  ///< |dV| / V0
+  double area_change = 0.5;    ///< |dA| / A0
+  double face_ratio = 0.01;    ///< smallest face area / reference
+  double penetration = 2.0;    ///< of a node into a pillar, lattice spacings
 };
 
 /// state: what was measured on the membrane; speed: of its fastest node; film: smallest distance to a pillar.
-inline std::optional<Failure> check_membrane(const MembraneState& state, const Membrane& membrane, double speed,
-                                             double film, const MonitorLimits& limits = {}) {
+inline std::optional<Failure> check_membrane(const MembraneState& state, const Membrane& membrane,
+                                             double speed, double film, const MonitorLimits& limits = {}) {
   const double volume_change = state.volume / membrane.reference_volume() - 1.0;
   const double area_change = state.area / membrane.reference_area() - 1.0;
   // Written as !(good) so that NaN counts as failed.
@@ -36,12 +36,13 @@ inline std::optional<Failure> check_membrane(const MembraneState& state, const M
     return Failure{"volume of the cell", "membrane", "set /cell/volume_control to projection", volume_change};
   }
   if (!(std::abs(area_change) < limits.area_change)) {
-    return Failure{"area of the cell", "membrane", "raise /cell/global_area_modulus or lower /fluid/force_density",
-                   area_change};
+    return Failure{"area of the cell", "membrane",
+                   "raise /cell/global_area_modulus or lower /fluid/force_density", area_change};
   }
   if (!(state.min_face_ratio > limits.face_ratio)) {
     return Failure{"smallest face of the membrane", "membrane",
-                   "raise /coupling/regularisation_strength or use /coupling/kernel phi4", state.min_face_ratio};
+                   "raise /coupling/regularisation_strength or use /coupling/kernel phi4",
+                   state.min_face_ratio};
   }
   if (!(film > -limits.penetration)) {
     return Failure{"penetration of the pillar", "membrane", "raise /coupling/pillar_repulsion", -film};

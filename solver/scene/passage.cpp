@@ -12,28 +12,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include "coupling/coupled_cell.hpp"
 #include "measure/cross_section.hpp"
-#include "measure/streamlines.hpp"
+#include "measure/return_map.hpp"
 #include "output/provenance.hpp"
 #include "parameters/reader.hpp"
 #include "scene/flow_output.hpp"
 #include "scene/monitor.hpp"
 #include "scene/passage_record.hpp"
+#include "scene/passage_start.hpp"
 #include "scene/registry.hpp"
 #include "scene/setup.hpp"
 #include "scene/steady_flow.hpp"
 
 namespace dld {
 namespace {
-
-/// Largest excursions over the whole run.
-struct Extremes {
-  double area_change = 0, volume_change = 0, local_area_strain = 0, min_face_ratio = 1, film = 1e300, speed = 0,
-         density_variation = 0;
-};
 
 template <class Real>
 class PassageRun {
@@ -47,14 +41,14 @@ class PassageRun {
         membrane_(make_cell(c.cell.shape, c.cell.mesh_frequency, l_.cell_radius), make_moduli(c)),
         lateral_(c.fluid.lateral_flow == "blocked", l_),
         map_(map_options(c)),
-        pillar_top_(surface_above_centre()) {
+        pillar_top_(surface_above_centre(pillars_)) {
     lattice_.set_uniform_force(l_.force_density, 0.0, 0.0);
   }
 
   Status run() {
     const SteadyState steady =
-        run_to_steady_state(lattice_, lateral_, std::max(1e-6, case_.stop.steady_tolerance), case_.stop.max_steps,
-                            context_.progress);
+        run_to_steady_state(lattice_, lateral_, std::max(1e-6, case_.stop.steady_tolerance),
+                            case_.stop.max_steps, context_.progress);
     if (steady.status == Status::interrupted) return steady.status;
     flow_steps_ = steady.steps;
     mean_velocity_ = steady.flow.velocity[0];
@@ -62,7 +56,10 @@ class PassageRun {
       failure_ = Failure{"speed", "fluid", "lower /fluid/force_density", steady.flow.max_speed};
       return finish(Status::diverged);
     }
-    cell_.emplace(lattice_, membrane_, pillars_, make_coupling_model(case_), start_positions());
+    const PlaneField field =
+        mid_plane(lattice_, [this](double x, double y) { return pillars_.signed_distance(x, y); });
+    cell_.emplace(lattice_, membrane_, pillars_, make_coupling_model(case_),
+                  start_positions(case_, membrane_.reference().vertices, pillars_, field));
     sample_interval_ = std::max(2, 2 * static_cast<int>(0.1 / mean_velocity_));
     resume();
     context_.progress.start("passage", map_.last_row() + 1.5);
@@ -78,45 +75,6 @@ class PassageRun {
     options.tolerance = c.stop.map_tolerance_um / c.fluid.lattice_spacing_um;
     options.max_rows = c.stop.max_rows;
     return options;
-  }
-
-  /// Height of the pillar's surface above its centre on the pillar line.
-  double surface_above_centre() const {
-    if (pillars_.empty()) return 0.0;
-    double inside = 0.0, outside = 0.5 * l_.ny;
-    for (int k = 0; k < 60; ++k) {
-      const double middle = 0.5 * (inside + outside);
-      (pillars_.signed_distance(0.0, middle) < 0.0 ? inside : outside) = middle;
-    }
-    return outside;
-  }
-
-  /// Reference shape, turned and moved to where the case wants it: by default half a pitch before the first
-  /// pillar line with the lower edge on the separation streamline, which saves several pillars.
-  Eigen::MatrixX3d start_positions() const {
-    const StartParameters& start = case_.cell.start;
-    Eigen::RowVector3d centre(start.x_um / l_.um_per_lu, 0.0, start.z_um / l_.um_per_lu);
-    if (start.gap_position_um >= 0.0) {
-      centre.y() = pillar_top_ + start.gap_position_um / l_.um_per_lu;
-    } else {
-      centre.y() = pillar_top_ + 0.5 * l_.gap;
-      const PlaneField field =
-          mid_plane(lattice_, [this](double x, double y) { return pillars_.signed_distance(x, y); });
-      const PlaneFlow flow = field.flow();
-      const Separation separation = separation_downstream(flow);
-      if (separation.found) {
-        const Streamline upstream = trace_streamline(flow, separation.seed, -1, centre.x());
-        if (upstream.end == StreamlineEnd::line) {
-          centre.y() = upstream.points(upstream.points.rows() - 1, 1) + l_.cell_radius;
-        }
-      }
-    }
-    const double tilt = start.tilt_deg * std::numbers::pi / 180.0;
-    Eigen::Matrix3d turn;
-    turn << std::cos(tilt), 0, -std::sin(tilt), 0, 1, 0, std::sin(tilt), 0, std::cos(tilt);
-    Eigen::MatrixX3d x = membrane_.reference().vertices * turn;
-    x.rowwise() += centre;
-    return x;
   }
 
   Status advance() {
@@ -139,18 +97,22 @@ class PassageRun {
 
   Status decided_status() const {
     switch (map_.trajectory_class()) {
-      case TrajectoryClass::displaced: return Status::displaced;
-      case TrajectoryClass::zigzag: return Status::zigzag;
-      default: return Status::undecided;
+      case TrajectoryClass::displaced:
+        return Status::displaced;
+      case TrajectoryClass::zigzag:
+        return Status::zigzag;
+      default:
+        return Status::undecided;
     }
   }
 
   void hold_density() {
     const FlowStatistics flow = lattice_.statistics();
     lattice_.shift_density(-flow.mean_density_deviation);
-    extremes_.density_variation =
-        std::max(extremes_.density_variation, flow.max_density_deviation - flow.min_density_deviation);
-    if (!(flow.max_speed < 0.5)) failure_ = Failure{"speed", "fluid", "lower /fluid/force_density", flow.max_speed};
+    double& variation = record_.extremes.density_variation;
+    variation = std::max(variation, flow.max_density_deviation - flow.min_density_deviation);
+    if (!(flow.max_speed < 0.5))
+      failure_ = Failure{"speed", "fluid", "lower /fluid/force_density", flow.max_speed};
   }
 
   /// Measures cell and membrane, follows the passage of the current pillar line.
@@ -159,21 +121,15 @@ class PassageRun {
     const MembraneState state = membrane_.measure(x);
     const double speed = cell_->velocities().rowwise().norm().maxCoeff();
     failure_ = check_membrane(state, membrane_, speed, cell_->film());
-    extremes_.area_change = std::max(extremes_.area_change, std::abs(state.area / membrane_.reference_area() - 1.0));
-    extremes_.volume_change =
-        std::max(extremes_.volume_change, std::abs(state.volume / membrane_.reference_volume() - 1.0));
-    extremes_.local_area_strain = std::max(extremes_.local_area_strain, state.max_local_area_strain);
-    extremes_.min_face_ratio = std::min(extremes_.min_face_ratio, state.min_face_ratio);
-    extremes_.film = std::min(extremes_.film, cell_->film());
-    extremes_.speed = std::max(extremes_.speed, speed);
+    record_.extremes.update(state, membrane_, speed, cell_->film());
     if (failure_) return;
 
     const Eigen::Vector3d centre = cell_->centre().transpose();
     record_trajectory(x, centre, state);
     extent_.update(x, membrane_.reference().faces, centre, cell_->film(), steps_);
     if (extent_.centre_passed() && !crossing_added_) {
-      const TrajectoryClass now = map_.add(
-          crossing_at(extent_.y_at_centre(), row_, l_.ny, l_.row_shift, pillar_top_));
+      const TrajectoryClass now =
+          map_.add(crossing_at(extent_.y_at_centre(), row_, l_.ny, l_.row_shift, pillar_top_));
       crossing_added_ = true;
       decided_ = now != TrajectoryClass::running;
     }
@@ -190,47 +146,39 @@ class PassageRun {
     }
   }
 
-  void record_trajectory(const Eigen::MatrixX3d& x, const Eigen::Vector3d& centre, const MembraneState& state) {
+  void record_trajectory(const Eigen::MatrixX3d& x, const Eigen::Vector3d& centre,
+                         const MembraneState& state) {
     const double spacing = static_cast<double>(l_.nx) / case_.output.trajectory_samples_per_row;
     const double moved = std::hypot(centre.x() - last_recorded_.x(), centre.y() - last_recorded_.y());
-    if (trajectory_.size() > 0 && moved < spacing) return;
+    if (record_.trajectory.size() > 0 && moved < spacing) return;
     last_recorded_ = centre;
     const Eigen::RowVector3d extent = x.colwise().maxCoeff() - x.colwise().minCoeff();
     const double um = l_.um_per_lu;
-    trajectory_.append({static_cast<double>(steps_), centre.x() * um, centre.y() * um, centre.z() * um,
-                        extent.x() * um, extent.y() * um, extent.z() * um,
-                        state.area / membrane_.reference_area() - 1.0,
-                        state.volume / membrane_.reference_volume() - 1.0, state.min_face_ratio,
-                        cell_->film() * um});
+    record_.trajectory.append(
+        {static_cast<double>(steps_), centre.x() * um, centre.y() * um, centre.z() * um, extent.x() * um,
+         extent.y() * um, extent.z() * um, state.area / membrane_.reference_area() - 1.0,
+         state.volume / membrane_.reference_volume() - 1.0, state.min_face_ratio, cell_->film() * um});
     const int per_row = case_.output.snapshots_per_row;
     if (per_row == 0) return;
     const auto index = static_cast<long>(std::floor(centre.x() * per_row / l_.nx));
-    if (index > last_snapshot_ || snapshots_.empty()) {
+    if (index > last_snapshot_) {
       last_snapshot_ = index;
-      keep_snapshot("snapshot", x, steps_);
+      record_.keep_snapshot("snapshot", row_, steps_, x);
     }
-  }
-
-  void keep_snapshot(const char* kind, const Eigen::MatrixX3d& vertices, long step) {
-    const auto count = std::count_if(snapshots_.begin(), snapshots_.end(), [&](const MembraneSnapshot& s) {
-      return s.name.starts_with(kind);
-    });
-    char name[40];
-    std::snprintf(name, sizeof name, "%s_%03d", kind, static_cast<int>(count));
-    snapshots_.push_back({name, row_, step, vertices});
   }
 
   /// The cell is past the pillar line: one row of results, then the next line.
   void finish_row(const MembraneState& state) {
     const Crossing& crossing = map_.crossings().back();
     const double um = l_.um_per_lu;
-    const double previous = crossings_.size() > 0 ? crossings_.column("step").back() : NAN;
-    crossings_.append({static_cast<double>(row_), extent_.step_at_centre(), extent_.y_at_centre() * um,
-                       crossing.gap_position * um, static_cast<double>(crossing.lane), crossing.bump ? 1.0 : 0.0,
-                       extent_.max_width() * um, extent_.width_at_centre() * um, extent_.min_film() * um,
-                       state.min_face_ratio, extent_.height_at_max() * um,
-                       l_.nx * um / (extent_.step_at_centre() - previous)});
-    keep_snapshot("crossing", extent_.vertices_at_max(), extent_.step_at_max());
+    const double previous = record_.crossings.size() > 0 ? record_.crossings.column("step").back() : NAN;
+    record_.crossings.append({static_cast<double>(row_), extent_.step_at_centre(), extent_.y_at_centre() * um,
+                              crossing.gap_position * um, static_cast<double>(crossing.lane),
+                              crossing.bump ? 1.0 : 0.0, extent_.max_width() * um,
+                              extent_.width_at_centre() * um, extent_.min_film() * um, state.min_face_ratio,
+                              extent_.height_at_max() * um,
+                              l_.nx * um / (extent_.step_at_centre() - previous)});
+    record_.keep_snapshot("crossing", row_, extent_.step_at_max(), extent_.vertices_at_max());
     extent_done_ = decided_;
     if (decided_) return;
     ++row_;
@@ -246,26 +194,14 @@ class PassageRun {
   void save_checkpoint() const {
     Checkpoint checkpoint(identity());
     checkpoint.set("populations", lattice_.populations());
-    checkpoint.set("uniform_force", std::vector<double>{lattice_.uniform_force()[0], lattice_.uniform_force()[1]});
-    const Eigen::MatrixX3d& x = cell_->positions();
-    checkpoint.set("positions", std::vector<double>(x.data(), x.data() + x.size()));
+    checkpoint.set("uniform_force",
+                   std::vector<double>{lattice_.uniform_force()[0], lattice_.uniform_force()[1]});
+    checkpoint.set("positions", to_values(cell_->positions()));
     checkpoint.set("steps", static_cast<std::int64_t>(steps_));
     checkpoint.set("row", static_cast<std::int64_t>(row_));
     checkpoint.set("last_snapshot", static_cast<std::int64_t>(last_snapshot_));
     checkpoint.set("last_recorded", std::vector<double>(last_recorded_.data(), last_recorded_.data() + 3));
-    checkpoint.set("extremes", std::vector<double>{extremes_.area_change, extremes_.volume_change,
-                                                   extremes_.local_area_strain, extremes_.min_face_ratio,
-                                                   extremes_.film, extremes_.speed, extremes_.density_variation});
-    trajectory_.save(checkpoint, "trajectory_");
-    crossings_.save(checkpoint, "crossings_");
-    checkpoint.set("snapshots", static_cast<std::int64_t>(snapshots_.size()));
-    for (std::size_t k = 0; k < snapshots_.size(); ++k) {
-      const MembraneSnapshot& s = snapshots_[k];
-      const std::string name = "snapshot_" + std::to_string(k);
-      checkpoint.set(name + "_name", s.name);
-      checkpoint.set(name + "_place", std::vector<std::int64_t>{s.row, s.step});
-      checkpoint.set(name + "_vertices", std::vector<double>(s.vertices.data(), s.vertices.data() + s.vertices.size()));
-    }
+    record_.save(checkpoint);
     checkpoint.save(context_.checkpoint);
   }
 
@@ -279,55 +215,22 @@ class PassageRun {
     steps_ = checkpoint->integer("steps");
     row_ = static_cast<int>(checkpoint->integer("row"));
     last_snapshot_ = checkpoint->integer("last_snapshot");
-    const auto matrix = [](const std::vector<double>& values) {
-      return Eigen::MatrixX3d(
-          Eigen::Map<const Eigen::MatrixX3d>(values.data(), static_cast<Eigen::Index>(values.size()) / 3, 3));
-    };
-    cell_->restore(matrix(checkpoint->get<std::vector<double>>("positions")), steps_);
-    last_recorded_ = matrix(checkpoint->get<std::vector<double>>("last_recorded")).row(0).transpose();
-    const auto& e = checkpoint->get<std::vector<double>>("extremes");
-    extremes_ = {e[0], e[1], e[2], e[3], e[4], e[5], e[6]};
-    trajectory_.load(*checkpoint, "trajectory_");
-    crossings_.load(*checkpoint, "crossings_");
-    const auto& y = crossings_.column("y_um");
+    cell_->restore(to_matrix(checkpoint->get<std::vector<double>>("positions")), steps_);
+    last_recorded_ = to_matrix(checkpoint->get<std::vector<double>>("last_recorded")).row(0).transpose();
+    record_.load(*checkpoint);
+    const auto& y = record_.crossings.column("y_um");
     for (std::size_t k = 0; k < y.size(); ++k) {
       map_.add(crossing_at(y[k] / l_.um_per_lu, static_cast<int>(k), l_.ny, l_.row_shift, pillar_top_));
-    }
-    for (std::int64_t k = 0; k < checkpoint->integer("snapshots"); ++k) {
-      const std::string name = "snapshot_" + std::to_string(k);
-      const auto& place = checkpoint->get<std::vector<std::int64_t>>(name + "_place");
-      snapshots_.push_back({checkpoint->get<std::string>(name + "_name"), static_cast<int>(place[0]), place[1],
-                            matrix(checkpoint->get<std::vector<double>>(name + "_vertices"))});
     }
     extent_ = PassageExtent(static_cast<double>(row_) * l_.nx);
   }
 
   Status finish(Status status) {
     summarise(status);
-    const double um = l_.um_per_lu;
-    if (trajectory_.size() > 0) trajectory_.write(context_.out, "/trajectory");
-    if (crossings_.size() > 0) crossings_.write(context_.out, "/crossings");
-    context_.out.write_matrix("/membrane/faces", membrane_.reference().faces, "1", "vertices of each triangle");
-    const Eigen::MatrixX3d reference = membrane_.reference().vertices * um;
-    context_.out.write_matrix("/membrane/reference", reference, "um", "stress-free shape");
-    XdmfMesh mesh;
-    mesh.n_faces = static_cast<std::size_t>(membrane_.face_count());
-    mesh.n_vertices = static_cast<std::size_t>(membrane_.vertex_count());
-    for (const MembraneSnapshot& s : snapshots_) {
-      const std::string group = "/membrane/" + s.name;
-      const Eigen::MatrixX3d vertices = s.vertices * um;
-      context_.out.write_matrix(group + "/vertices", vertices, "um", "membrane nodes, not wrapped");
-      context_.out.attribute(group, "row", s.row);
-      context_.out.attribute(group, "step", static_cast<std::int64_t>(s.step));
-      mesh.snapshots.push_back({group + "/vertices", static_cast<double>(s.step)});
-    }
-    std::sort(mesh.snapshots.begin(), mesh.snapshots.end(),
-              [](const XdmfSnapshot& a, const XdmfSnapshot& b) { return a.time < b.time; });
-    context_.xdmf.mesh = mesh;
+    context_.xdmf.mesh = record_.write(context_.out, membrane_.reference(), l_.um_per_lu);
     if (case_.output.flow_field && lattice_.even()) {
-      write_plane_flow(context_, mid_plane(lattice_, {}), um);
+      write_plane_flow(context_, mid_plane(lattice_, {}), l_.um_per_lu);
     }
-    std::filesystem::remove(context_.checkpoint);
     return status;
   }
 
@@ -342,10 +245,10 @@ class PassageRun {
     s["lateral_flow"] = case_.fluid.lateral_flow;
     s["class"] = to_string(status);
     const int defining = map_.defining_crossing();
-    const bool known = defining >= 0 && static_cast<std::size_t>(defining) < crossings_.size();
+    const bool known = defining >= 0 && static_cast<std::size_t>(defining) < record_.crossings.size();
     const auto value = [&](const char* column) -> nlohmann::ordered_json {
       if (!known) return nullptr;
-      return crossings_.column(column)[static_cast<std::size_t>(defining)];
+      return record_.crossings.column(column)[static_cast<std::size_t>(defining)];
     };
     s["defining_crossing"] = defining;
     s["d_perp_um"] = value("d_perp_um");
@@ -357,15 +260,15 @@ class PassageRun {
     const MapBracket bracket = map_.bracket();
     s["map_limit_um"] = bracket.limit * um;
     s["map_ratio"] = bracket.ratio;
-    s["crossings"] = crossings_.size();
+    s["crossings"] = record_.crossings.size();
     s["zigs"] = map_.zigs();
-    s["area_change"] = extremes_.area_change;
-    s["volume_change"] = extremes_.volume_change;
-    s["max_local_area_strain"] = extremes_.local_area_strain;
-    s["min_face_ratio"] = extremes_.min_face_ratio;
-    s["smallest_film_um"] = extremes_.film * um;
-    s["max_speed"] = extremes_.speed;
-    s["density_variation"] = extremes_.density_variation;
+    s["area_change"] = record_.extremes.area_change;
+    s["volume_change"] = record_.extremes.volume_change;
+    s["max_local_area_strain"] = record_.extremes.local_area_strain;
+    s["min_face_ratio"] = record_.extremes.min_face_ratio;
+    s["smallest_film_um"] = record_.extremes.film * um;
+    s["max_speed"] = record_.extremes.speed;
+    s["density_variation"] = record_.extremes.density_variation;
     s["regularisation_mobility"] = cell_ ? cell_->mobility() : 0.0;
     s["odd_columns"] = cell_ ? cell_->odd_columns() : 0;
     s["steps"] = steps_ + flow_steps_;
@@ -395,10 +298,8 @@ class PassageRun {
   ReturnMap map_;
   double pillar_top_;
 
-  ColumnTable trajectory_ = trajectory_table(), crossings_ = crossings_table();
-  std::vector<MembraneSnapshot> snapshots_;
+  PassageRecord record_;
   PassageExtent extent_{0.0};
-  Extremes extremes_;
   std::optional<Failure> failure_;
   Eigen::Vector3d last_recorded_ = Eigen::Vector3d::Zero();
   double mean_velocity_ = 0;

@@ -1,5 +1,8 @@
 #include "scene/passage_record.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 namespace dld {
@@ -17,7 +20,8 @@ const std::vector<double>& ColumnTable::column(const std::string& name) const {
 }
 
 void ColumnTable::write(Hdf5File& out, const std::string& group) const {
-  for (const Column& column : columns_) out.write(group + "/" + column.name, column.values, column.unit, column.description);
+  for (const Column& column : columns_)
+    out.write(group + "/" + column.name, column.values, column.unit, column.description);
 }
 
 void ColumnTable::save(Checkpoint& checkpoint, const std::string& prefix) const {
@@ -27,6 +31,8 @@ void ColumnTable::save(Checkpoint& checkpoint, const std::string& prefix) const 
 void ColumnTable::load(const Checkpoint& checkpoint, const std::string& prefix) {
   for (Column& column : columns_) column.values = checkpoint.get<std::vector<double>>(prefix + column.name);
 }
+
+namespace {
 
 ColumnTable trajectory_table() {
   return ColumnTable({
@@ -59,6 +65,89 @@ ColumnTable crossings_table() {
       {"height_um", "um", "extent along z of the section of largest lateral extent", {}},
       {"speed_um_per_step", "um", "mean speed along x since the line before, per time step", {}},
   });
+}
+
+}  // namespace
+
+std::vector<double> to_values(const Eigen::MatrixX3d& matrix) {
+  return {matrix.data(), matrix.data() + matrix.size()};
+}
+
+Eigen::MatrixX3d to_matrix(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::MatrixX3d>(values.data(), static_cast<Eigen::Index>(values.size()) / 3, 3);
+}
+
+void Extremes::update(const MembraneState& state, const Membrane& membrane, double node_speed,
+                      double node_film) {
+  area_change = std::max(area_change, std::abs(state.area / membrane.reference_area() - 1.0));
+  volume_change = std::max(volume_change, std::abs(state.volume / membrane.reference_volume() - 1.0));
+  local_area_strain = std::max(local_area_strain, state.max_local_area_strain);
+  min_face_ratio = std::min(min_face_ratio, state.min_face_ratio);
+  speed = std::max(speed, node_speed);
+  film = std::min(film, node_film);
+}
+
+PassageRecord::PassageRecord() : trajectory(trajectory_table()), crossings(crossings_table()) {}
+
+void PassageRecord::keep_snapshot(const std::string& kind, int row, long step,
+                                  const Eigen::MatrixX3d& vertices) {
+  const auto count = std::count_if(snapshots_.begin(), snapshots_.end(),
+                                   [&](const MembraneSnapshot& s) { return s.name.starts_with(kind); });
+  char number[16];
+  std::snprintf(number, sizeof number, "_%03d", static_cast<int>(count));
+  snapshots_.push_back({kind + number, row, step, vertices});
+}
+
+XdmfMesh PassageRecord::write(Hdf5File& out, const TriangleMesh& reference, double um_per_lu) const {
+  if (trajectory.size() > 0) trajectory.write(out, "/trajectory");
+  if (crossings.size() > 0) crossings.write(out, "/crossings");
+  out.write_matrix("/membrane/faces", reference.faces, "1", "vertices of each triangle");
+  const Eigen::MatrixX3d rest = reference.vertices * um_per_lu;
+  out.write_matrix("/membrane/reference", rest, "um", "stress-free shape");
+  XdmfMesh mesh;
+  mesh.n_faces = static_cast<std::size_t>(reference.faces.rows());
+  mesh.n_vertices = static_cast<std::size_t>(reference.vertices.rows());
+  for (const MembraneSnapshot& s : snapshots_) {
+    const std::string group = "/membrane/" + s.name;
+    const Eigen::MatrixX3d vertices = s.vertices * um_per_lu;
+    out.write_matrix(group + "/vertices", vertices, "um", "membrane nodes, not wrapped");
+    out.attribute(group, "row", s.row);
+    out.attribute(group, "step", static_cast<std::int64_t>(s.step));
+    mesh.snapshots.push_back({group + "/vertices", static_cast<double>(s.step)});
+  }
+  std::sort(mesh.snapshots.begin(), mesh.snapshots.end(),
+            [](const XdmfSnapshot& a, const XdmfSnapshot& b) { return a.time < b.time; });
+  return mesh;
+}
+
+void PassageRecord::save(Checkpoint& checkpoint) const {
+  trajectory.save(checkpoint, "trajectory_");
+  crossings.save(checkpoint, "crossings_");
+  checkpoint.set("extremes", std::vector<double>{extremes.area_change, extremes.volume_change,
+                                                 extremes.local_area_strain, extremes.min_face_ratio,
+                                                 extremes.film, extremes.speed, extremes.density_variation});
+  checkpoint.set("snapshots", static_cast<std::int64_t>(snapshots_.size()));
+  for (std::size_t k = 0; k < snapshots_.size(); ++k) {
+    const MembraneSnapshot& s = snapshots_[k];
+    const std::string name = "snapshot_" + std::to_string(k);
+    checkpoint.set(name + "_name", s.name);
+    checkpoint.set(name + "_place", std::vector<std::int64_t>{s.row, s.step});
+    checkpoint.set(name + "_vertices", to_values(s.vertices));
+  }
+}
+
+void PassageRecord::load(const Checkpoint& checkpoint) {
+  trajectory.load(checkpoint, "trajectory_");
+  crossings.load(checkpoint, "crossings_");
+  const auto& e = checkpoint.get<std::vector<double>>("extremes");
+  extremes = {e[0], e[1], e[2], e[3], e[4], e[5], e[6]};
+  snapshots_.clear();
+  for (std::int64_t k = 0; k < checkpoint.integer("snapshots"); ++k) {
+    const std::string name = "snapshot_" + std::to_string(k);
+    const auto& place = checkpoint.get<std::vector<std::int64_t>>(name + "_place");
+    snapshots_.push_back({checkpoint.get<std::string>(name + "_name"), static_cast<int>(place[0]), place[1],
+                          to_matrix(checkpoint.get<std::vector<double>>(name + "_vertices"))});
+  }
 }
 
 }  // namespace dld

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "measure/return_map.hpp"
+#include "membrane/membrane.hpp"
 #include "output/checkpoint.hpp"
 #include "output/hdf5_file.hpp"
+#include "output/xdmf.hpp"
 
 namespace dld {
 
@@ -32,16 +33,47 @@ class ColumnTable {
   std::vector<Column> columns_;
 };
 
-/// The columns of /trajectory and /crossings.
-ColumnTable trajectory_table();
-ColumnTable crossings_table();
-
 /// A membrane shape worth keeping, lattice units.
 struct MembraneSnapshot {
-  std::string name;  ///< dataset group below /membrane
+  std::string name;  ///< group below /membrane
   int row = 0;
   long step = 0;
   Eigen::MatrixX3d vertices;
 };
+
+/// Largest excursions over a whole run.
+struct Extremes {
+  double area_change = 0, volume_change = 0, local_area_strain = 0, min_face_ratio = 1;
+  double film = 1e300;  ///< smallest distance to a pillar, lattice units
+  double speed = 0;     ///< of a membrane node, lattice units
+  double density_variation = 0;
+
+  void update(const MembraneState& state, const Membrane& membrane, double node_speed, double node_film);
+};
+
+/// Everything measured on the way; the part of a checkpoint that is not fluid or cell.
+class PassageRecord {
+ public:
+  PassageRecord();
+
+  ColumnTable trajectory, crossings;
+  Extremes extremes;
+
+  /// Keeps a shape as <kind>_000, <kind>_001 and so on.
+  void keep_snapshot(const std::string& kind, int row, long step, const Eigen::MatrixX3d& vertices);
+
+  /// Writes /trajectory, /crossings and /membrane; returns the membrane's series for XDMF.
+  XdmfMesh write(Hdf5File& out, const TriangleMesh& reference, double um_per_lu) const;
+
+  void save(Checkpoint& checkpoint) const;
+  void load(const Checkpoint& checkpoint);
+
+ private:
+  std::vector<MembraneSnapshot> snapshots_;
+};
+
+/// nv x 3 matrices as arrays of a checkpoint.
+std::vector<double> to_values(const Eigen::MatrixX3d& matrix);
+Eigen::MatrixX3d to_matrix(const std::vector<double>& values);
 
 }  // namespace dld

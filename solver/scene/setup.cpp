@@ -53,8 +53,9 @@ CouplingModel make_coupling_model(const Case& c) {
   const LatticeParameters l = to_lattice(c);
   CouplingModel model;
   model.kernel = kernel_by_name(c.coupling.kernel);
-  model.mobility =
-      c.coupling.regularisation == "force_difference" ? c.coupling.regularisation_strength / l.viscosity : 0.0;
+  model.mobility = c.coupling.regularisation == "force_difference"
+                       ? c.coupling.regularisation_strength / l.viscosity
+                       : 0.0;
   model.project_volume = c.cell.volume_control == "projection";
   model.pillar_repulsion = {l.repulsion_strength, c.coupling.repulsion_range};
   model.wall_repulsion = {l.wall_repulsion_strength, c.coupling.repulsion_range};

@@ -39,7 +39,9 @@ Status run(const Case& c, RunContext& context) {
   fluid.wall_motion = {-wall_speed, wall_speed};
   const UnitCell box = shear_box(n);
   Lattice<Real> lattice(box, fluid);
-  lattice.initialise([&](int, int, int z) { return std::array<double, 3>{rate * (z + box.origin_z), 0.0, 0.0}; });
+  lattice.initialise([&](int, int, int z) {
+    return std::array<double, 3>{rate * (z + box.origin_z), 0.0, 0.0};
+  });
 
   MembraneModuli moduli;
   moduli.shear = l.viscosity * rate * a / c.shear.capillary_number;
@@ -50,7 +52,8 @@ Status run(const Case& c, RunContext& context) {
   if (c.cell.volume_control == "penalty") moduli.volume = c.cell.volume_modulus * moduli.shear / a;
   Membrane membrane(make_cell(c.cell.shape, c.cell.mesh_frequency, a), moduli);
   const PillarArray no_pillars(make_pillar("none", {}), n, n, 0.0);
-  CoupledCell<Real> cell(lattice, membrane, no_pillars, make_coupling_model(c), membrane.reference().vertices);
+  CoupledCell<Real> cell(lattice, membrane, no_pillars, make_coupling_model(c),
+                         membrane.reference().vertices);
 
   ColumnTable series({{"time", "1/gdot", "time times shear rate", {}},
                       {"deformation", "1", "(L - B)/(L + B) of the equivalent ellipsoid", {}},
@@ -66,7 +69,8 @@ Status run(const Case& c, RunContext& context) {
     if (step % interval != 0) continue;
     const MembraneState state = membrane.measure(cell.positions());
     deformation = taylor_deformation(equivalent_semi_axes(cell.positions(), membrane.reference().faces));
-    series.append({static_cast<double>(step) * rate, deformation, state.volume / membrane.reference_volume() - 1.0});
+    series.append(
+        {static_cast<double>(step) * rate, deformation, state.volume / membrane.reference_volume() - 1.0});
     if (const auto failure =
             check_membrane(state, membrane, cell.velocities().rowwise().norm().maxCoeff(), cell.film())) {
       context.summary["failing_quantity"] = failure->quantity;

@@ -13,8 +13,9 @@
 
 namespace dld {
 
-/// Free: only the driving force along x. Blocked: a lateral force that brings the mean u_y to zero, as the side
-/// walls of a device do. Integral control, tuned to be critically damped for the friction 12 nu/H^2 of a slit.
+/// Free: only the driving force along x. Blocked: a lateral force that brings the mean u_y to zero, as the
+/// side walls of a device do. Integral control, tuned to be critically damped for the friction 12 nu/H^2 of a
+/// slit.
 class LateralFlow {
  public:
   static constexpr int interval = 20;  ///< steps between updates
@@ -54,8 +55,8 @@ constexpr double residual_floor() {
 
 /// Steps until the mean velocity changes by less than the tolerance per 100 steps (twice in a row).
 template <class Real>
-SteadyState run_to_steady_state(Lattice<Real>& lattice, const LateralFlow& lateral, double tolerance, long max_steps,
-                                Progress& progress) {
+SteadyState run_to_steady_state(Lattice<Real>& lattice, const LateralFlow& lateral, double tolerance,
+                                long max_steps, Progress& progress) {
   constexpr int check_interval = 100;
   SteadyState state;
   const double goal = std::max(tolerance, residual_floor<Real>());
@@ -95,9 +96,9 @@ SteadyState run_to_steady_state(Lattice<Real>& lattice, const LateralFlow& later
       const double log_residual = std::log(std::max(state.residual, goal));
       if (first_log == 0.0) first_log = log_residual;
       const double span = first_log - std::log(goal);
-      progress.update(span > 0 ? (first_log - log_residual) / span : 0.0,
-                      "step " + std::to_string(state.steps) + ", change per 100 steps " +
-                          std::to_string(state.residual));
+      progress.update(
+          span > 0 ? (first_log - log_residual) / span : 0.0,
+          "step " + std::to_string(state.steps) + ", change per 100 steps " + std::to_string(state.residual));
     }
   }
   progress.finish(to_string(state.status));
@@ -129,8 +130,8 @@ PlaneField mid_plane(const Lattice<Real>& lattice, DistanceFunction distance) {
       v(x, y) = (9.0 * first[2] - second[2]) / 8.0;
     }
   }
-  return {std::move(u), std::move(v), std::move(solid), cell.origin_x, cell.origin_y, cell.row_shift,
-          std::move(distance)};
+  return {std::move(u),  std::move(v),   std::move(solid),   cell.origin_x,
+          cell.origin_y, cell.row_shift, std::move(distance)};
 }
 
 }  // namespace dld

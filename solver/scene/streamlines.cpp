@@ -7,6 +7,7 @@
 ///
 /// Try: dld run params/cases/streamlines.json /tmp/streamlines.h5
 #include "measure/streamlines.hpp"
+
 #include "scene/flow_output.hpp"
 #include "scene/registry.hpp"
 #include "scene/setup.hpp"
@@ -15,7 +16,8 @@
 namespace dld {
 namespace {
 
-void summarise_flow(const Case& c, const SteadyState& steady, double porosity, nlohmann::ordered_json& summary) {
+void summarise_flow(const Case& c, const SteadyState& steady, double porosity,
+                    nlohmann::ordered_json& summary) {
   const LatticeParameters l = to_lattice(c);
   const SiScales si = to_si(c);
   const double u = steady.flow.velocity[0];
@@ -48,9 +50,8 @@ Status run(const Case& c, RunContext& context) {
   Lattice<Real> lattice(cell, make_fluid_model(c));
   lattice.set_uniform_force(l.force_density, 0.0, 0.0);
 
-  const SteadyState steady =
-      run_to_steady_state(lattice, LateralFlow(c.fluid.lateral_flow == "blocked", l), c.stop.steady_tolerance,
-                          c.stop.max_steps, context.progress);
+  const SteadyState steady = run_to_steady_state(lattice, LateralFlow(c.fluid.lateral_flow == "blocked", l),
+                                                 c.stop.steady_tolerance, c.stop.max_steps, context.progress);
   nlohmann::ordered_json& summary = context.summary;
   summary["row_shift_um"] = c.geometry.row_shift_um;
   summary["epsilon"] = c.geometry.row_shift_um / c.geometry.pitch_um;
@@ -60,7 +61,8 @@ Status run(const Case& c, RunContext& context) {
   summary["membrane_updates"] = 0;
   summary["memory_bytes"] = lattice.memory_bytes();
   summary["lateral_force_ratio"] = lattice.uniform_force()[1] / l.force_density;
-  const double porosity = static_cast<double>(lattice.fluid_nodes()) / (static_cast<double>(l.nx) * l.ny * l.nz);
+  const double porosity =
+      static_cast<double>(lattice.fluid_nodes()) / (static_cast<double>(l.nx) * l.ny * l.nz);
   summarise_flow(c, steady, porosity, summary);
   if (steady.status == Status::diverged) {
     summary["failing_quantity"] = "speed";

@@ -3,14 +3,16 @@
 ///   static   the shape at rest minimises E(x) - F (x_right - x_left); no fluid, since at rest there is none
 ///   coupled  the same forces on a cell in a quiescent fluid, stepped until it rests: a check of the coupling
 ///
-/// The area and volume moduli are the case's, times kS (there is no p' l r here): kalpha = local_area_modulus kS.
+/// The area and volume moduli are the case's, times kS (there is no p' l r here): kalpha = local_area_modulus
+/// kS.
 ///
 /// Try: dld run params/cases/stretching.json /tmp/stretching.h5
+#include "membrane/stretching.hpp"
+
 #include <cmath>
 #include <cstdio>
 
 #include "coupling/coupled_cell.hpp"
-#include "membrane/stretching.hpp"
 #include "output/interrupt.hpp"
 #include "scene/monitor.hpp"
 #include "scene/registry.hpp"
@@ -75,7 +77,8 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
   Membrane membrane(make_cell(c.cell.shape, c.cell.mesh_frequency, l.cell_radius),
                     stretching_moduli(c, shear_lu, l.cell_radius, c.cell.volume_control == "penalty"));
   const PillarArray no_pillars(make_pillar("none", {}), lattice.cell().nx, lattice.cell().ny, 0.0);
-  CoupledCell<Real> cell(lattice, membrane, no_pillars, make_coupling_model(c), membrane.reference().vertices);
+  CoupledCell<Real> cell(lattice, membrane, no_pillars, make_coupling_model(c),
+                         membrane.reference().vertices);
   const ContactPatches patches(membrane.reference().vertices, c.stretching.contact_radius_um / l.um_per_lu);
   cell.external_forces = Eigen::MatrixX3d::Zero(membrane.vertex_count(), 3);
 
@@ -119,8 +122,8 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
     }
     // Energy scales with kS dx^2: from lattice units to J.
     const double joule = c.stretching.shear_modulus_uN_per_m / shear_lu * l.um_per_lu * l.um_per_lu * 1e-18;
-    results.push_back({force_pN, cell.positions() * l.um_per_lu, axial * l.um_per_lu, transverse * l.um_per_lu,
-                       membrane.energy(cell.positions()) * joule, steps - begin});
+    results.push_back({force_pN, cell.positions() * l.um_per_lu, axial * l.um_per_lu,
+                       transverse * l.um_per_lu, membrane.energy(cell.positions()) * joule, steps - begin});
     if (status != Status::converged) break;
   }
   context.progress.finish(to_string(status));
@@ -152,7 +155,8 @@ void write_results(const Case& c, const TriangleMesh& reference_um, const std::v
   context.xdmf.mesh = mesh;
   context.out.write("/stretching/force_pN", force, "pN", "force on each end");
   context.out.write("/stretching/axial_um", axial, "um", "extent along the pull");
-  context.out.write("/stretching/transverse_um", transverse, "um", "extent across the pull, in the cell's plane");
+  context.out.write("/stretching/transverse_um", transverse, "um",
+                    "extent across the pull, in the cell's plane");
   context.out.write("/stretching/energy_J", energy, "J", "elastic energy of the membrane");
   context.out.write("/stretching/iterations", iterations, "1", "iterations of the minimiser, or time steps");
   nlohmann::ordered_json& s = context.summary;
@@ -180,7 +184,8 @@ Status run_stretching(const Case& c, RunContext& context) {
     results = with_precision(c, [&]<class Real>() { return stretch_coupled<Real>(c, context, status); });
   } else {
     // um and pN: 1 uN/m = 1 pN/um.
-    Membrane membrane(mesh, stretching_moduli(c, c.stretching.shear_modulus_uN_per_m, c.cell.radius_um, true));
+    Membrane membrane(mesh,
+                      stretching_moduli(c, c.stretching.shear_modulus_uN_per_m, c.cell.radius_um, true));
     results = stretch_static(c, membrane, context, status);
   }
   if (status == Status::interrupted) return status;

@@ -18,7 +18,7 @@ double critical_diameter_um() {
 
 test::SceneResult sphere(double radius_um) {
   Case c = test::case_of(R"({"scene": "passage", "output": {"flow_field": false},
-      "cell": {"shape": "sphere", "mesh_frequency": 5, "capillary_number": 0.05, "viscosity_ratio": 1}})");
+      "cell": {"shape": "sphere", "radius_um": 1.7, "mesh_frequency": 5, "capillary_number": 0.05, "viscosity_ratio": 1}})");
   // The film between sphere and pillar is a part of dx: refine it away.
   c.fluid.lattice_spacing_um = 4.0 / 15;
   c.fluid.force_density = 1.5e-4;

@@ -64,8 +64,6 @@ class NaiveFluid {
     for (std::size_t d = 0; d < 3; ++d) velocity[n][d] = (j[d] + 0.5 * force[n][d]) / (stokes() ? 1.0 : rho);
   }
 
-  double post_collision(int i, std::size_t n) const { return post_[n][slot(i)]; }
-
   std::vector<double> tau, density;
   std::vector<Vector3> force, velocity;  ///< total force density; velocity before the last collision
 

@@ -103,14 +103,11 @@ class LatticeAgainstNaive : public testing::TestWithParam<Combination> {
   }
 };
 
-TEST_P(LatticeAgainstNaive, PopulationsAndMomentsAgreeToRounding) {
+TEST_P(LatticeAgainstNaive, FlowAgreesToRounding) {
   const UnitCell cell = unit_cell(size(), origin_x(), origin_y());
   NaiveFluid naive(size(), origin_x(), origin_y(), model());
   Lattice<double> lattice(cell, model());
   const auto active = prepare(lattice, naive);
-  const auto population = [&](int i, int x, int y, int z) {
-    return lattice.populations()[lattice.layout().slot(i, lattice.layout().node(x, y, z))];
-  };
   for (int step = 1; step <= 10; ++step) {
     lattice.step(active);
     naive.step();
@@ -123,17 +120,12 @@ TEST_P(LatticeAgainstNaive, PopulationsAndMomentsAgreeToRounding) {
         for (std::size_t d = 0; d < 3; ++d)
           differs(worst_velocity, lattice.velocity[d][lattice.layout().node(x, y, z)], naive.velocity[n][d]);
       }
-      if (lattice.even()) {
-        naive.update_moments(n);
-        const auto m = lattice.moments(x, y, z);
-        differs(worst, m[0], naive.density[n] - 1);
-        for (std::size_t d = 0; d < 3; ++d) differs(worst, m[d + 1], naive.velocity[n][d]);
-      } else {
-        // The local step leaves f*_i in the place of the opposite direction.
-        for (int i = 0; i < d3q19::directions; ++i)
-          differs(worst, population(d3q19::opposite(i), x, y, z),
-                  naive.post_collision(i, n) - d3q19::weight(i));
-      }
+      // After an odd step only the velocity of the active range can be read.
+      if (!lattice.even()) return;
+      naive.update_moments(n);
+      const auto m = lattice.moments(x, y, z);
+      differs(worst, m[0], naive.density[n] - 1);
+      for (std::size_t d = 0; d < 3; ++d) differs(worst, m[d + 1], naive.velocity[n][d]);
     });
     EXPECT_LT(worst, 1e-14) << "step " << step;
     EXPECT_LT(worst_velocity, 1e-14) << "step " << step;
@@ -291,7 +283,7 @@ TEST(Lattice, ShiftOfDensityIsSeenByTheMomentsAlone) {
 TEST(Lattice, StatisticsShowADivergedNode) {
   const BoxSize size{8, 8, 4, 0, 0, HeightBoundary::periodic};
   Lattice<double> lattice(unit_cell(size), FluidModel{});
-  lattice.populations()[lattice.layout().slot(1, lattice.layout().node(3, 3, 1))] = NAN;
+  lattice.populations()[lattice.layout().population(1, 3, 3, 1)] = NAN;
   EXPECT_TRUE(std::isnan(lattice.statistics().max_speed));
 }
 
