@@ -56,8 +56,11 @@ class CoupledCell {
   void restore(const Eigen::MatrixX3d& positions, long step) {
     positions_ = positions;
     steps_ = step;
-    viscosity_.update(positions_);
+    refresh_viscosity();
   }
+  /// Brings the inside/outside field up to date between its regular updates: to be called where a checkpoint is
+  /// saved, so that the run that goes on and the run that resumes are the same to the last bit.
+  void refresh_viscosity() { viscosity_.update(positions_); }
   /// Mobility of the sub-grid regularisation that is in use.
   double mobility() const { return model_.mobility; }
   long odd_columns() const { return viscosity_.odd_columns(); }

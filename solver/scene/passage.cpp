@@ -191,7 +191,8 @@ class PassageRun {
   std::string identity() const { return echo(case_).dump() + build_info().git_commit; }
 
   /// Between two pillar lines nothing is half measured: the state is the fluid, the cell and the tables.
-  void save_checkpoint() const {
+  void save_checkpoint() {
+    cell_->refresh_viscosity();
     Checkpoint checkpoint(identity());
     checkpoint.set("populations", lattice_.populations());
     checkpoint.set("uniform_force",

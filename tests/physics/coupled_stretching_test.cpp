@@ -9,7 +9,8 @@ namespace {
 /// Extents by both methods within 1.5 %; the moduli are soft enough for the explicit coupling.
 void compare(double lattice_spacing_um, int mesh_frequency) {
   Case c = test::case_of(R"({"scene": "stretching", "stretching": {"forces_pN": [20, 40, 80]},
-      "cell": {"viscosity_ratio": 1, "local_area_modulus": 1, "global_area_modulus": 2, "volume_modulus": 10}})");
+      "cell": {"viscosity_ratio": 1, "local_area_modulus": 1,
+               "global_area_modulus": 2, "volume_modulus": 10}})");
   c.fluid.lattice_spacing_um = lattice_spacing_um;
   c.cell.mesh_frequency = mesh_frequency;
   const test::SceneResult at_rest = test::run_scene(c);
