@@ -138,9 +138,10 @@ bool ReturnMap::returns_to_zig() const {
 }
 
 TrajectoryClass ReturnMap::classify() const {
-  if (zigs() >= 2 || returns_to_zig()) return TrajectoryClass::zigzag;
+  if (zigs() >= 2) return TrajectoryClass::zigzag;
   if (fixed_point().proven || rests()) return TrajectoryClass::displaced;
-  return crossings_.back().row >= last_row() ? TrajectoryClass::undecided : TrajectoryClass::running;
+  if (crossings_.back().row < last_row()) return TrajectoryClass::running;
+  return returns_to_zig() ? TrajectoryClass::zigzag : TrajectoryClass::undecided;
 }
 
 MapBracket ReturnMap::bracket() const {

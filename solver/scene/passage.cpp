@@ -62,7 +62,7 @@ class PassageRun {
                   start_positions(case_, membrane_.reference().vertices, pillars_, field));
     sample_interval_ = std::max(2, 2 * static_cast<int>(0.1 / mean_velocity_));
     resume();
-    context_.progress.start("passage", map_.last_row() + 1.5);
+    context_.progress.start("passage");
     const Status status = advance();
     context_.progress.finish(to_string(status));
     return status == Status::interrupted ? status : finish(status);
@@ -131,6 +131,7 @@ class PassageRun {
       const TrajectoryClass now =
           map_.add(crossing_at(extent_.y_at_centre(), row_, l_.ny, l_.row_shift, pillar_top_));
       crossing_added_ = true;
+      context_.progress.set_total(map_.last_row() + 1.5);  // rows at the most
       decided_ = now != TrajectoryClass::running;
     }
     if (extent_.passed()) finish_row(state);

@@ -134,21 +134,30 @@ TEST(ReturnMap, PeriodicZigzagFromAnyStart) {
       EXPECT_EQ(cell.run([&](double) { return -d; }, 1000), TrajectoryClass::zigzag) << d << " " << start;
       const auto& crossings = cell.map().crossings();
       const auto defining = static_cast<std::size_t>(cell.map().defining_crossing());
-      EXPECT_FALSE(crossings[defining + 1].bump);  // the last crossing above the pillar that it then falls behind
+      EXPECT_FALSE(
+          crossings[defining + 1].bump);  // the last crossing above the pillar that it then falls behind
       EXPECT_LE(crossings.size(), 2 * std::ceil(kPitch / d) + 2);
     }
   }
 }
 
-TEST(ReturnMap, ReturnToTheWayToAZigIsZigzag) {
-  // A slow approach, a fall, and back: the second zig need not be waited for.
-  SyntheticCell cell(12, 15, options_for(15));
-  const auto step = [](double c) { return c < 3 ? -15.0 : -0.5 - 0.2 * (c - 3); };
+TEST(ReturnMap, ReturnToTheWayToAZigIsZigzagAtTheRowLimit) {
+  // A slow approach, a fall to c = 48, and back: at the limit of 20 rows the second zig is still to come.
+  const auto step = [](double c) { return c < 3 ? -35.0 : -0.5 - 0.2 * (c - 3); };
+  ReturnMapOptions options;
+  options.max_rows = 20;
+  SyntheticCell cell(20, 15, options);
   EXPECT_EQ(cell.run(step, 1000), TrajectoryClass::zigzag);
   EXPECT_EQ(cell.map().zigs(), 1);
   const auto& crossings = cell.map().crossings();
+  EXPECT_EQ(crossings.back().row, 20);
   EXPECT_LE(crossings.back().gap_position, crossings[1].gap_position);
   EXPECT_FALSE(crossings[static_cast<std::size_t>(cell.map().defining_crossing()) + 1].bump);
+  // Before it is back, one zig is not enough.
+  options.max_rows = 12;
+  SyntheticCell early(20, 15, options);
+  EXPECT_EQ(early.run(step, 1000), TrajectoryClass::undecided);
+  EXPECT_EQ(early.map().zigs(), 1);
 }
 
 TEST(ReturnMap, OneZigAtTheStartProvesNothing) {
