@@ -58,8 +58,8 @@ class CoupledCell {
     steps_ = step;
     refresh_viscosity();
   }
-  /// Brings the inside/outside field up to date between its regular updates: to be called where a checkpoint is
-  /// saved, so that the run that goes on and the run that resumes are the same to the last bit.
+  /// Brings the inside/outside field up to date between its regular updates: to be called where a checkpoint
+  /// is saved, so that the run that goes on and the run that resumes are the same to the last bit.
   void refresh_viscosity() { viscosity_.update(positions_); }
   /// Mobility of the sub-grid regularisation that is in use.
   double mobility() const { return model_.mobility; }
