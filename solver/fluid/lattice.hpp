@@ -5,7 +5,6 @@
 /// memory is read once for two steps.
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "fluid/d3q19.hpp"

@@ -3,7 +3,6 @@
 /// node coordinate outside the cell maps to its image inside (shifted periodicity, mirror plane).
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace dld {

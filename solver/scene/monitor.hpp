@@ -1,6 +1,7 @@
 #pragma once
 /// Cheap checks during a run: a failing run stops with the quantity, its place and the likely cure.
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -12,6 +13,15 @@ struct Failure {
   std::string quantity, place, advice;
   double value = 0;
 };
+
+/// The members of a summary that label a diverged run.
+inline void report_failure(const Failure& failure, long step, nlohmann::ordered_json& summary) {
+  summary["failing_quantity"] = failure.quantity;
+  summary["failing_value"] = failure.value;
+  summary["failing_step"] = step;
+  summary["failing_place"] = failure.place;
+  summary["advice"] = failure.advice;
+}
 
 /// Bounds beyond which a coupled run is no longer a simulation of anything.
 struct MonitorLimits {

@@ -280,13 +280,7 @@ class PassageRun {
     const SiScales si = to_si(case_);
     s["si"] = {{"pressure_gradient_bar_per_m", si.pressure_gradient_Pa_per_m * 1e-5},
                {"mean_velocity_mm_per_s", mean_velocity_ * si.velocity_m_per_s_per_lu * 1e3}};
-    if (failure_) {
-      s["failing_quantity"] = failure_->quantity;
-      s["failing_value"] = failure_->value;
-      s["failing_step"] = steps_;
-      s["failing_place"] = failure_->place;
-      s["advice"] = failure_->advice;
-    }
+    if (failure_) report_failure(*failure_, steps_, s);
   }
 
   const Case& case_;

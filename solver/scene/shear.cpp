@@ -73,8 +73,7 @@ Status run(const Case& c, RunContext& context) {
         {static_cast<double>(step) * rate, deformation, state.volume / membrane.reference_volume() - 1.0});
     if (const auto failure =
             check_membrane(state, membrane, cell.velocities().rowwise().norm().maxCoeff(), cell.film())) {
-      context.summary["failing_quantity"] = failure->quantity;
-      context.summary["advice"] = failure->advice;
+      report_failure(*failure, step, context.summary);
       status = Status::diverged;
       break;
     }

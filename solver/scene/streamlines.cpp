@@ -9,6 +9,7 @@
 #include "measure/streamlines.hpp"
 
 #include "scene/flow_output.hpp"
+#include "scene/monitor.hpp"
 #include "scene/registry.hpp"
 #include "scene/setup.hpp"
 #include "scene/steady_flow.hpp"
@@ -65,11 +66,10 @@ Status run(const Case& c, RunContext& context) {
       static_cast<double>(lattice.fluid_nodes()) / (static_cast<double>(l.nx) * l.ny * l.nz);
   summarise_flow(c, steady, porosity, summary);
   if (steady.status == Status::diverged) {
-    summary["failing_quantity"] = "speed";
-    summary["failing_value"] = steady.flow.max_speed;
-    summary["failing_step"] = steady.steps;
-    summary["failing_place"] = "fluid";
-    summary["advice"] = "lower /fluid/force_density, or bring /fluid/relaxation_time nearer to 1";
+    report_failure(
+        {"speed", "fluid", "lower /fluid/force_density, or bring /fluid/relaxation_time nearer to 1",
+         steady.flow.max_speed},
+        steady.steps, summary);
     return steady.status;
   }
 

@@ -103,8 +103,7 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
       if (steps % interval != 0) continue;
       if (const auto failure = check_membrane(membrane.measure(cell.positions()), membrane,
                                               cell.velocities().rowwise().norm().maxCoeff(), cell.film())) {
-        context.summary["failing_quantity"] = failure->quantity;
-        context.summary["advice"] = failure->advice;
+        report_failure(*failure, steps, context.summary);
         status = Status::diverged;
         break;
       }

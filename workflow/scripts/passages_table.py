@@ -1,9 +1,7 @@
 """One row for every passage of a cell: class, lateral extent, quality, cost. Diverged runs are rows too."""
 
-import argparse
-
 from study.runs import load_runs
-from study.tables import write_table
+from study.tables import table_arguments, write_table
 
 FROM_SUMMARY = [
     "d_perp_um",
@@ -85,11 +83,7 @@ def row_of(run):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--plan", required=True)
-    parser.add_argument("--runs", required=True)
-    parser.add_argument("--output", required=True)
-    arguments = parser.parse_args()
+    arguments = table_arguments(__doc__)
     rows = [row_of(run) for run in load_runs(arguments.plan, arguments.runs, "passages")]
     keys = ["sweep", "dx_um", "skalak_denominator", "lateral_flow", "row_shift_um", "capillary_number"]
     write_table(rows, COLUMNS, arguments.output, keys, STYLES)

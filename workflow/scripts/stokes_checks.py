@@ -5,12 +5,11 @@ The reversal of a Stokes flow is the same flow, so the velocity at (-x, -y) abou
 be that at (x, y); inertia breaks this symmetry. Differences are in units of the largest speed.
 """
 
-import argparse
 from collections import defaultdict
 
 import numpy as np
 from study.runs import load_runs
-from study.tables import write_table
+from study.tables import table_arguments, write_table
 
 COLUMNS = [
     "row_shift_um",
@@ -75,11 +74,7 @@ def row_of(runs):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--plan", required=True)
-    parser.add_argument("--runs", required=True)
-    parser.add_argument("--output", required=True)
-    arguments = parser.parse_args()
+    arguments = table_arguments(__doc__)
     pairs = defaultdict(list)
     for run in load_runs(arguments.plan, arguments.runs, "stokes"):
         pairs[run.row_shift_um].append(run)

@@ -1,13 +1,12 @@
 """Separation distance, flow resistance and Reynolds numbers of every variant of the flow, and their limits at
 vanishing lattice spacing (study.fits.refined_limit says how)."""
 
-import argparse
 from collections import defaultdict
 
 from study.fits import refined_limit
 from study.plan import read_json
 from study.runs import load_runs
-from study.tables import write_table
+from study.tables import table_arguments, write_table
 
 LIMITS = {
     "s_um": "separation_um",
@@ -87,11 +86,7 @@ def limit_rows(name, variants, rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--plan", required=True)
-    parser.add_argument("--runs", required=True)
-    parser.add_argument("--output", required=True)
-    arguments = parser.parse_args()
+    arguments = table_arguments(__doc__)
     rows = [row_of(run) for run in load_runs(arguments.plan, arguments.runs, "streamlines")]
     refinement = read_json(arguments.plan)["refinement"]
     limits = [row for name, variants in refinement.items() for row in limit_rows(name, variants, rows)]

@@ -1,10 +1,8 @@
 """Diameters of the stretched cell against the force, for every series and Skalak denominator."""
 
-import argparse
-
 import numpy as np
 from study.runs import load_runs
-from study.tables import write_table
+from study.tables import table_arguments, write_table
 
 COLUMNS = [
     "method",
@@ -53,11 +51,7 @@ def rows_of(run):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--plan", required=True)
-    parser.add_argument("--runs", required=True)
-    parser.add_argument("--output", required=True)
-    arguments = parser.parse_args()
+    arguments = table_arguments(__doc__)
     runs = load_runs(arguments.plan, arguments.runs, "stretching")
     rows = [row for run in runs for row in rows_of(run)]
     styles = {"axial_um": ".4f", "transverse_um": ".4f", "area_over_radius_squared": ".4f", "force_pN": ".1f"}

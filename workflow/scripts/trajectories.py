@@ -1,10 +1,8 @@
 """Extracts the trajectories of Figure 6: centre of the cell, thinned out, up to the last row shown."""
 
-import argparse
-
 from study.plan import read_json
 from study.runs import load_runs
-from study.tables import write_table
+from study.tables import table_arguments, write_table
 
 COLUMNS = ["row_shift_um", "capillary_number", "class", "step", "x_um", "y_um"]
 SPACING_UM = 0.5  # smallest distance along x between two points
@@ -37,11 +35,7 @@ def rows_of(run, rows_shown):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--plan", required=True)
-    parser.add_argument("--runs", required=True)
-    parser.add_argument("--output", required=True)
-    arguments = parser.parse_args()
+    arguments = table_arguments(__doc__)
     figures = read_json(arguments.plan)["figures"]
     runs = load_runs(arguments.plan, arguments.runs, "passages")
     chosen = [run for run in runs if run.labels["sweep"] == figures["trajectory_sweep"]]

@@ -43,11 +43,16 @@ def check(claim_id):
     return register
 
 
+def at_paper_lattice(rows):
+    """The rows whose lattice spacing is the paper's."""
+    return rows[rows.dx_um.sub(LATTICE_UM).abs() < 1e-3]
+
+
 def flow_rows(tables, variant="paper"):
     """Converged rows of a variant of the flow; none in tiers where `paper` is not at the paper's lattice."""
     table = tables["streamline_separation"]
     rows = table[table.status == "converged"]
-    paper = rows[(rows.variant == "paper") & (rows.dx_um.sub(LATTICE_UM).abs() < 1e-3)]
+    paper = at_paper_lattice(rows[rows.variant == "paper"])
     return rows[rows.variant == variant] if len(paper) else paper
 
 
@@ -59,8 +64,7 @@ def ranged(values, style):
 
 @check("stokes-linear")
 def stokes_linear(tables, claim, _):
-    rows = tables["stokes_checks"]
-    rows = rows[rows.dx_um.sub(LATTICE_UM).abs() < 1e-3]
+    rows = at_paper_lattice(tables["stokes_checks"])
     if len(rows) < 3:
         return None
     changes = rows.relative_change.abs()
@@ -71,8 +75,7 @@ def stokes_linear(tables, claim, _):
 
 @check("stokes-mirror")
 def stokes_mirror(tables, claim, _):
-    rows = tables["stokes_checks"]
-    rows = rows[rows.dx_um.sub(LATTICE_UM).abs() < 1e-3]
+    rows = at_paper_lattice(tables["stokes_checks"])
     if len(rows) < 3:
         return None
     worst = rows.reversal_max_high.max()

@@ -1,8 +1,18 @@
 """Tables as CSV: sorted rows, fixed number formats, units in the header, so that `diff` compares studies."""
 
+import argparse
 from pathlib import Path
 
 import pandas as pd
+
+
+def table_arguments(description):
+    """The command line of a program that turns the runs of a plan into one table."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--plan", required=True)
+    parser.add_argument("--runs", required=True)
+    parser.add_argument("--output", required=True)
+    return parser.parse_args()
 
 
 def formatted(value, style):
