@@ -29,6 +29,7 @@ CoupledCell<Real>::CoupledCell(Lattice<Real>& lattice, Membrane& membrane, const
 
 template <class Real>
 void CoupledCell<Real>::step() {
+  if (failed_) return;
   membrane_.forces(positions_, forces_);
   if (external_forces.rows() == forces_.rows()) forces_ += external_forces;
   add_repulsion();
@@ -40,8 +41,13 @@ void CoupledCell<Real>::step() {
   boundary_.clear_force();
   if (model_.mobility > 0.0) force_difference_velocity(membrane_, forces_, model_.mobility, velocities_);
   if (model_.project_volume) project_volume();
-  positions_ += velocities_;
   ++steps_;
+  // A node that crosses a lattice spacing per step, or is nowhere, is left where it is: the monitors see the
+  // speed.
+  const double fastest = velocities_.allFinite() ? velocities_.rowwise().norm().maxCoeff() : HUGE_VAL;
+  failed_ = !(fastest < 1.0);
+  max_speed_ = fastest;
+  if (!failed_) positions_ += velocities_;
 }
 
 template <class Real>

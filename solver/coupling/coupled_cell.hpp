@@ -46,6 +46,9 @@ class CoupledCell {
   const Eigen::MatrixX3d& positions() const { return positions_; }
   const Eigen::MatrixX3d& velocities() const { return velocities_; }
   const Eigen::MatrixX3d& forces() const { return forces_; }
+  /// Speed of the fastest node in the last step, infinite if a velocity was not finite. From 1 on the cell
+  /// stays where it is and further steps do nothing: the run has diverged.
+  double max_speed() const { return max_speed_; }
   /// Smallest distance of a node to a pillar in the last step.
   double film() const { return film_; }
   /// Mean of the node positions.
@@ -77,7 +80,8 @@ class CoupledCell {
   ViscosityField<Real> viscosity_;
   Eigen::MatrixX3d positions_, velocities_, forces_, gradient_;
   std::vector<std::uint8_t> near_solid_;
-  double film_ = 0.0;
+  double film_ = 0.0, max_speed_ = 0.0;
+  bool failed_ = false;
   long steps_ = 0;
 };
 

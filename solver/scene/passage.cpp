@@ -119,7 +119,7 @@ class PassageRun {
   void sample() {
     const Eigen::MatrixX3d& x = cell_->positions();
     const MembraneState state = membrane_.measure(x);
-    const double speed = cell_->velocities().rowwise().norm().maxCoeff();
+    const double speed = cell_->max_speed();
     failure_ = check_membrane(state, membrane_, speed, cell_->film());
     record_.extremes.update(state, membrane_, speed, cell_->film());
     if (failure_) return;

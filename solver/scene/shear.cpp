@@ -71,8 +71,7 @@ Status run(const Case& c, RunContext& context) {
     deformation = taylor_deformation(equivalent_semi_axes(cell.positions(), membrane.reference().faces));
     series.append(
         {static_cast<double>(step) * rate, deformation, state.volume / membrane.reference_volume() - 1.0});
-    if (const auto failure =
-            check_membrane(state, membrane, cell.velocities().rowwise().norm().maxCoeff(), cell.film())) {
+    if (const auto failure = check_membrane(state, membrane, cell.max_speed(), cell.film())) {
       report_failure(*failure, step, context.summary);
       status = Status::diverged;
       break;

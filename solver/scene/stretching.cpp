@@ -101,8 +101,8 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
       cell.step();
       ++steps;
       if (steps % interval != 0) continue;
-      if (const auto failure = check_membrane(membrane.measure(cell.positions()), membrane,
-                                              cell.velocities().rowwise().norm().maxCoeff(), cell.film())) {
+      if (const auto failure =
+              check_membrane(membrane.measure(cell.positions()), membrane, cell.max_speed(), cell.film())) {
         report_failure(*failure, steps, context.summary);
         status = Status::diverged;
         break;

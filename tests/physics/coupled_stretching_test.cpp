@@ -41,5 +41,13 @@ TEST(CoupledStretching, SlowAgreesWithTheEnergyMinimumAtTheWorkingResolution) {
   compare(0.4, 10);
 }
 
+TEST(CoupledStretching, ARunThatFliesApartIsLabelled) {
+  const test::SceneResult result = test::run_scene(
+      test::case_of(R"({"scene": "stretching", "stretching": {"method": "coupled", "forces_pN": [20000]}})"));
+  EXPECT_EQ(result.status, Status::diverged);
+  EXPECT_EQ(result.summary["failing_quantity"], "speed of a membrane node");
+  EXPECT_GE(result.summary["failing_value"].get<double>(), 1.0);
+}
+
 }  // namespace
 }  // namespace dld
