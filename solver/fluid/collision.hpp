@@ -57,13 +57,16 @@ template <bool Stokes, class Value>
   using namespace d3q19;
   using Real = Scalar<Value>;
   constexpr Real half = Real(0.5);
-  // Moments. The sums over opposite pairs are written out by the compiler (c is constant).
+  // Even and odd parts of the pairs take the place of the populations: f[2p+1] = f_a + f_b, f[2p+2] = f_a - f_b.
+  // The sums over opposite pairs are written out by the compiler (c is constant).
   Value deviation = f[0], jx = Real(0), jy = Real(0), jz = Real(0);
 #pragma GCC unroll 9
   for (int p = 0; p < pairs; ++p) {
     const Velocity v = c[static_cast<std::size_t>(2 * p + 1)];
-    const Value difference = f[2 * p + 1] - f[2 * p + 2];
-    deviation += f[2 * p + 1] + f[2 * p + 2];
+    const Value sum = f[2 * p + 1] + f[2 * p + 2], difference = f[2 * p + 1] - f[2 * p + 2];
+    f[2 * p + 1] = sum;
+    f[2 * p + 2] = difference;
+    deviation += sum;
     if (v.x != 0) jx += Real(v.x) * difference;
     if (v.y != 0) jy += Real(v.y) * difference;
     if (v.z != 0) jz += Real(v.z) * difference;
@@ -79,34 +82,35 @@ template <bool Stokes, class Value>
     u2 = ux * ux + uy * uy + uz * uz;
     uf = ux * fx + uy * fy + uz * fz;
   }
-  const Value even_source = Real(1) - half * rate.even;
-  const Value odd_source = Real(1) - half * rate.odd;
+  const Value even_source = Real(1) - half * rate.even, odd_source = Real(1) - half * rate.odd;
+  const Value keep_even = half - half * rate.even, keep_odd = half - half * rate.odd;
 
-  constexpr Real w0 = Real(weight_rest);
-  Value rest_equilibrium = w0 * deviation;
-  if constexpr (!Stokes) rest_equilibrium -= w0 * Real(1.5) * rho * u2;
-  f[0] += rate.even * (rest_equilibrium - f[0]);
-  if constexpr (!Stokes) f[0] -= even_source * w0 * Real(3) * uf;
+  // What a pair gains: 3 w c.g in the odd part, g = rate rho u + source F, and w h in the even one.
+  const Value momentum = Stokes ? rate.odd : rate.odd * rho;
+  const Value gx = momentum * ux + odd_source * fx, gy = momentum * uy + odd_source * fy,
+              gz = momentum * uz + odd_source * fz;
+  Value h = rate.even * deviation;
+  if constexpr (!Stokes) h -= Real(1.5) * rate.even * rho * u2 + Real(3) * even_source * uf;
+  f[0] += Real(weight_rest) * h - rate.even * f[0];
 
 #pragma GCC unroll 9
   for (int p = 0; p < pairs; ++p) {
     const Velocity v = c[static_cast<std::size_t>(2 * p + 1)];
-    const Real w = Real(weight(2 * p + 1));
-    Value cu = Real(0), cf = Real(0);
-    if (v.x != 0) cu += Real(v.x) * ux, cf += Real(v.x) * fx;
-    if (v.y != 0) cu += Real(v.y) * uy, cf += Real(v.y) * fy;
-    if (v.z != 0) cu += Real(v.z) * uz, cf += Real(v.z) * fz;
-    const Value even = half * (f[2 * p + 1] + f[2 * p + 2]);
-    const Value odd = half * (f[2 * p + 1] - f[2 * p + 2]);
-    Value even_equilibrium = w * deviation;
-    if constexpr (!Stokes) even_equilibrium += w * rho * (Real(4.5) * cu * cu - Real(1.5) * u2);
-    Value odd_equilibrium = Real(3) * w * cu;
-    if constexpr (!Stokes) odd_equilibrium *= rho;
-    Value even_new = even + rate.even * (even_equilibrium - even);
-    if constexpr (!Stokes) even_new += even_source * w * (Real(9) * cu * cf - Real(3) * uf);
-    const Value odd_new = odd + rate.odd * (odd_equilibrium - odd) + odd_source * w * Real(3) * cf;
-    f[2 * p + 1] = even_new + odd_new;
-    f[2 * p + 2] = even_new - odd_new;
+    const Real w = Real(weight(2 * p + 1)), w3 = Real(3 * weight(2 * p + 1));
+    Value cg = Real(0), cu = Real(0), cf = Real(0);
+    if (v.x != 0) cg += Real(v.x) * (w3 * gx);
+    if (v.y != 0) cg += Real(v.y) * (w3 * gy);
+    if (v.z != 0) cg += Real(v.z) * (w3 * gz);
+    Value gain = w * h;
+    if constexpr (!Stokes) {
+      if (v.x != 0) cu += Real(v.x) * ux, cf += Real(v.x) * fx;
+      if (v.y != 0) cu += Real(v.y) * uy, cf += Real(v.y) * fy;
+      if (v.z != 0) cu += Real(v.z) * uz, cf += Real(v.z) * fz;
+      gain += w * cu * (Real(4.5) * rate.even * rho * cu + Real(9) * even_source * cf);
+    }
+    const Value even = keep_even * f[2 * p + 1] + gain, odd = keep_odd * f[2 * p + 2] + cg;
+    f[2 * p + 1] = even + odd;
+    f[2 * p + 2] = even - odd;
   }
   return {deviation, ux, uy, uz};
 }

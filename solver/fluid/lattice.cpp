@@ -18,8 +18,13 @@ Lattice<Real>::Lattice(const UnitCell& cell, const FluidModel& model)
     : cell_(cell),
       model_(model),
       layout_(cell.nx, cell.ny, cell.nz),
+      places_(streaming_places(cell, layout_)),
       links_(build_links(cell, layout_, model.walls, model.wall_motion)) {
   const std::size_t nodes = layout_.field_size();
+  const Real tau = static_cast<Real>(model.relaxation_time);
+  uniform_rates_ = model.collision == CollisionModel::bgk
+                       ? bgk_rates(tau)
+                       : trt_rates(tau, static_cast<Real>(model.magic_parameter));
   populations_.assign(layout_.populations_size(), Real(0));
   for (auto& component : force) component.assign(nodes, Real(0));
   for (auto& component : velocity) component.assign(nodes, Real(0));
@@ -43,58 +48,43 @@ Lattice<Real>::Lattice(const UnitCell& cell, const FluidModel& model)
 
 template <class Real>
 template <bool Stokes, bool Local>
-void Lattice<Real>::collide_run(Phase phase, const Segment& run) {
+void Lattice<Real>::collide_run(const PlacesOfNode& places, const Segment& run) {
   using Vector = stdx::native_simd<Real>;
   constexpr int width = static_cast<int>(Vector::size());
-  // Each pair exchanges its two places: the local step reads f_i and f_-i of the node and leaves them
-  // swapped; the streaming step reads them from the neighbours and writes them to the neighbours beyond.
-  std::array<Real*, pairs> first, second;
   const std::uint32_t start = layout_.node(run.x, run.y, run.z);  // in the fields
   Real* const base = populations_.data() + layout_.population(0, run.x, run.y, run.z);
-  for (int p = 0; p < pairs; ++p) {
-    const int a = 2 * p + 1, b = 2 * p + 2;
-    const auto v = d3q19::c[static_cast<std::size_t>(a)];
-    const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(v.x) * directions * layout_.plane +
-                                  static_cast<std::ptrdiff_t>(v.z) * layout_.row + v.y;
-    Real* const pa = base + static_cast<std::ptrdiff_t>(a) * layout_.plane;
-    Real* const pb = base + static_cast<std::ptrdiff_t>(b) * layout_.plane;
-    const bool local = phase == Phase::local;
-    first[static_cast<std::size_t>(p)] = local ? pa : pb - offset;
-    second[static_cast<std::size_t>(p)] = local ? pb : pa + offset;
-  }
   const bool bgk = model_.collision == CollisionModel::bgk;
   const Real magic = static_cast<Real>(model_.magic_parameter);
+  const Rates<Vector> uniform{Vector(uniform_rates_.even), Vector(uniform_rates_.odd)};
 
   const auto advance = [&](int k, auto load, auto store) __attribute__((always_inline)) {
+    Real* const node = base + k;
     Vector f[directions];
-    load(f[0], base + k);
-#pragma GCC unroll 9
-    for (int p = 0; p < pairs; ++p) {
-      load(f[2 * p + 1], first[static_cast<std::size_t>(p)] + k);
-      load(f[2 * p + 2], second[static_cast<std::size_t>(p)] + k);
-    }
+#pragma GCC unroll 19
+    for (std::size_t i = 0; i < directions; ++i) load(f[i], node + places[i]);
     Vector fx = static_cast<Real>(uniform_force_[0]), fy = static_cast<Real>(uniform_force_[1]),
            fz = static_cast<Real>(uniform_force_[2]);
-    Vector tau = static_cast<Real>(model_.relaxation_time);
+    Rates<Vector> rates = uniform;
     if constexpr (Local) {
-      Vector local;
+      Vector local, tau;
       load(local, force[0].data() + start + k), fx += local;
       load(local, force[1].data() + start + k), fy += local;
       load(local, force[2].data() + start + k), fz += local;
       load(tau, relaxation_time.data() + start + k);
+      rates = bgk ? bgk_rates(tau) : trt_rates(tau, magic);
     }
-    const Rates<Vector> rates = bgk ? bgk_rates(tau) : trt_rates(tau, magic);
     const Moments<Vector> m = collide<Stokes>(f, fx, fy, fz, rates);
     if constexpr (Local) {
       store(m.ux, velocity[0].data() + start + k);
       store(m.uy, velocity[1].data() + start + k);
       store(m.uz, velocity[2].data() + start + k);
     }
-    store(f[0], base + k);
+    store(f[0], node);
+    // Each pair exchanges its two places.
 #pragma GCC unroll 9
-    for (int p = 0; p < pairs; ++p) {
-      store(f[2 * p + 2], first[static_cast<std::size_t>(p)] + k);
-      store(f[2 * p + 1], second[static_cast<std::size_t>(p)] + k);
+    for (std::size_t p = 0; p < pairs; ++p) {
+      store(f[2 * p + 2], node + places[2 * p + 1]);
+      store(f[2 * p + 1], node + places[2 * p + 2]);
     }
   };
 
@@ -124,8 +114,10 @@ void Lattice<Real>::collide_plane(Phase phase, int x, const ActiveRange& range) 
   const Row plane = planes_[static_cast<std::size_t>(x)];
   for (std::uint32_t s = plane.first; s < plane.last; ++s) {
     const Segment& segment = segments_[s];
+    const PlacesOfNode& places =
+        phase == Phase::local ? places_.local : places_.streaming[static_cast<std::size_t>(segment.z)];
     if (range.length == 0) {
-      collide_run<Stokes, false>(phase, segment);
+      collide_run<Stokes, false>(places, segment);
       continue;
     }
     // Cut the segment where the active range begins and ends; the range may wrap around once.
@@ -134,11 +126,11 @@ void Lattice<Real>::collide_plane(Phase phase, int x, const ActiveRange& range) 
     int y = segment.y;
     for (const auto& part : parts) {
       const int from = std::clamp(part[0], y, end), to = std::clamp(part[1], y, end);
-      if (from > y) collide_run<Stokes, false>(phase, {x, y, segment.z, from - y});
-      if (to > from) collide_run<Stokes, true>(phase, {x, from, segment.z, to - from});
+      if (from > y) collide_run<Stokes, false>(places, {x, y, segment.z, from - y});
+      if (to > from) collide_run<Stokes, true>(places, {x, from, segment.z, to - from});
       y = std::max(y, to);
     }
-    if (y < end) collide_run<Stokes, false>(phase, {x, y, segment.z, end - y});
+    if (y < end) collide_run<Stokes, false>(places, {x, y, segment.z, end - y});
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "fluid/collision.hpp"
 #include "fluid/d3q19.hpp"
 #include "fluid/links.hpp"
 #include "geometry/unit_cell.hpp"
@@ -92,7 +93,7 @@ class Lattice {
   enum class Phase { local, streaming };
 
   template <bool Stokes, bool Local>
-  void collide_run(Phase phase, const Segment& run);
+  void collide_run(const PlacesOfNode& places, const Segment& run);
   template <bool Stokes>
   void collide_plane(Phase phase, int x, const ActiveRange& range);
   template <bool Stokes>
@@ -102,11 +103,13 @@ class Lattice {
   UnitCell cell_;
   FluidModel model_;
   LatticeLayout layout_;
+  StreamingPlaces places_;
   LinkTables links_;
   std::vector<Real> populations_;
   std::vector<Segment> segments_;
   std::vector<Row> planes_;
   std::array<double, 3> uniform_force_{};
+  Rates<Real> uniform_rates_{};  ///< away from the cell
   std::vector<std::uint8_t> local_step_done_;  ///< per plane, between the two steps of a pair
   std::size_t fluid_nodes_ = 0;
   bool even_ = true;

@@ -25,7 +25,11 @@ struct Population {
 class LinkBuilder {
  public:
   LinkBuilder(const UnitCell& cell, const LatticeLayout& layout, WallModel model, const WallMotion& motion)
-      : cell_(cell), layout_(layout), model_(model), motion_(motion) {}
+      : cell_(cell),
+        layout_(layout),
+        places_(streaming_places(cell, layout)),
+        model_(model),
+        motion_(motion) {}
 
   LinkTables build() {
     LinkTables tables;
@@ -45,9 +49,14 @@ class LinkBuilder {
   }
 
  private:
+  /// Where the streaming step of a node finds f_i and leaves f*_-i.
+  std::uint32_t streaming_place(int i, int x, int y, int z) const {
+    const std::ptrdiff_t offset = places_.streaming[static_cast<std::size_t>(z)][static_cast<std::size_t>(i)];
+    return static_cast<std::uint32_t>(layout_.population(0, x, y, z) + offset);
+  }
+
   Population population(int i, int x, int y, int z) const {
-    const auto v = velocity(i);
-    return {layout_.population(opposite(i), x, y, z), layout_.population(i, x + v.x, y + v.y, z + v.z)};
+    return {layout_.population(opposite(i), x, y, z), streaming_place(opposite(i), x, y, z)};
   }
 
   /// Post-collision population i of raw node (x, y, z), which may be an image of the fluid node behind it.
@@ -62,35 +71,30 @@ class LinkBuilder {
     return !cell_.is_solid(image.x, image.y, image.z);
   }
 
-  bool inside_box(int x, int y, int z) const {
-    return x >= 0 && x < cell_.nx && y >= 0 && y < cell_.ny && z >= 0 && z < cell_.nz;
-  }
-
   /// Where f_i of the node is expected: read by the streaming step (before), read by the local step (after).
   Population destination(int i, int x, int y, int z) const {
-    const auto v = velocity(i);
-    return {layout_.population(opposite(i), x - v.x, y - v.y, z - v.z), layout_.population(i, x, y, z)};
+    return {streaming_place(i, x, y, z), layout_.population(i, x, y, z)};
   }
 
-  /// The incoming population i of fluid node (x, y, z), if it does not stream from a fluid node in the box.
+  /// The incoming population i of fluid node (x, y, z), if it does not stream from a fluid node in the box or
+  /// from a wall at rest.
   void add_link(int x, int y, int z, int i) {
     const auto v = velocity(i);
     const int sx = x - v.x, sy = y - v.y, sz = z - v.z;
-    const bool from_fluid = fluid(sx, sy, sz);
-    if (from_fluid && inside_box(sx, sy, sz)) return;
     const Population to = destination(i, x, y, z);
-    if (from_fluid) {
-      copy(to, image_population(i, sx, sy, sz), 0.0);
+    const HeightSide side = cell_.side(sz);
+    if (side != HeightSide::inside) {
+      // Half-way wall; a wall moving with U adds 6 w_i rho0 (c_i . U) (Ladd 1994) to what has come back.
+      const double speed = side == HeightSide::above_wall ? motion_.above : motion_.below;
+      if (speed * v.x != 0.0) copy(to, to, 6.0 * d3q19::weight(i) * v.x * speed);
+      return;
+    }
+    if (fluid(sx, sy, sz)) {
+      const bool in_box = sx >= 0 && sx < cell_.nx && sy >= 0 && sy < cell_.ny;
+      if (!in_box) copy(to, image_population(i, sx, sy, sz), 0.0);
       return;
     }
     const int out = opposite(i);
-    const HeightSide side = cell_.side(sz);
-    if (side != HeightSide::inside) {
-      // Half-way wall; a wall moving with U adds 6 w_i rho0 (c_i . U) (Ladd 1994).
-      const double speed = side == HeightSide::above_wall ? motion_.above : motion_.below;
-      copy(to, population(out, x, y, z), 6.0 * d3q19::weight(i) * v.x * speed);
-      return;
-    }
     if (model_ == WallModel::interpolated && add_interpolated(to, x, y, z, i)) return;
     copy(to, population(out, x, y, z), 0.0);
   }
@@ -161,6 +165,7 @@ class LinkBuilder {
 
   const UnitCell& cell_;
   const LatticeLayout& layout_;
+  StreamingPlaces places_;
   WallModel model_;
   WallMotion motion_;
   Found before_, after_;
@@ -175,9 +180,27 @@ std::uint32_t round_up(std::uint32_t n, std::uint32_t multiple) {
 LatticeLayout::LatticeLayout(int nx_, int ny_, int nz_) : nx(nx_), ny(ny_), nz(nz_) {
   // 16 extra places per row hold both ghosts: y = ny behind the row, y = -1 at the end of the row before.
   row = round_up(static_cast<std::uint32_t>(ny), 16u) + 16u;
-  plane = row * static_cast<std::uint32_t>(nz + 2);
+  plane = row * static_cast<std::uint32_t>(nz);
   // An odd number of cache lines between directions keeps them out of each other's cache sets.
   if ((plane / 16u) % 2u == 0u) plane += 16u;
+}
+
+StreamingPlaces streaming_places(const UnitCell& cell, const LatticeLayout& layout) {
+  const auto plane = static_cast<std::ptrdiff_t>(layout.plane), row = static_cast<std::ptrdiff_t>(layout.row);
+  StreamingPlaces places;
+  for (int i = 0; i < d3q19::directions; ++i) places.local[static_cast<std::size_t>(i)] = i * plane;
+  for (int z = 0; z < cell.nz; ++z) {
+    PlacesOfNode& at = places.streaming.emplace_back(places.local);
+    for (int i = 1; i < d3q19::directions; ++i) {
+      const auto v = velocity(i);
+      if (cell.side(z - v.z) != HeightSide::inside) continue;  // bounce-back: the node's own place i
+      const NodeImage image = cell.wrap(0, 0, z - v.z);
+      const int arriving = image.mirrored ? mirrored(i) : i;
+      at[static_cast<std::size_t>(i)] = opposite(arriving) * plane + (image.z - z) * row - v.y -
+                                        static_cast<std::ptrdiff_t>(v.x) * d3q19::directions * plane;
+    }
+  }
+  return places;
 }
 
 LinkTables build_links(const UnitCell& cell, const LatticeLayout& layout, WallModel model,

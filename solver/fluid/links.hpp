@@ -1,8 +1,10 @@
 #pragma once
-/// Everything that happens where streaming leaves the fluid, written once as a sparse linear map from
-/// populations to populations: half-way and interpolated bounce-back, moving walls, mirror plane, shifted
-/// periodicity. The kernel itself stays free of branches.
+/// Everything that happens where streaming leaves the fluid. Top and bottom walls, the mirror plane and periodic
+/// layers only change the place from which the kernel reads (StreamingPlaces); the rest is a sparse linear map
+/// from populations to populations: half-way and interpolated bounce-back at pillars, shifted periodicity, the
+/// motion of walls. The kernel itself stays free of branches.
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -11,7 +13,7 @@
 
 namespace dld {
 
-/// Places in memory of raw nodes (x, y, z), -1 <= x <= nx and so on. Fields (force, velocity) have one value
+/// Places in memory of nodes (x, y, z), -1 <= x <= nx, -1 <= y <= ny, 0 <= z < nz. Fields (force, velocity) have one value
 /// per node; populations stand plane by plane, within a plane direction by direction, so that what a step
 /// touches at a time lies together. Rows run along y and start at multiples of 16.
 struct LatticeLayout {
@@ -25,7 +27,7 @@ struct LatticeLayout {
 
   /// Place of a node in a field.
   std::uint32_t node(int x, int y, int z) const {
-    return static_cast<std::uint32_t>(x + 1) * plane + static_cast<std::uint32_t>(z + 1) * row +
+    return static_cast<std::uint32_t>(x + 1) * plane + static_cast<std::uint32_t>(z) * row +
            static_cast<std::uint32_t>(y + 16);
   }
   /// Place of population i of a node.
@@ -39,6 +41,20 @@ struct LatticeLayout {
  private:
   static constexpr std::uint32_t directions = d3q19::directions;
 };
+
+/// Places of the 19 populations of a node relative to its population 0.
+using PlacesOfNode = std::array<std::ptrdiff_t, d3q19::directions>;
+
+/// In-place ("AA", Bailey et al. 2009) scheme: the local step finds f_i of a node in its own place i and leaves
+/// the post-collision f*_i in the place of the opposite direction. The streaming step finds f_i where the
+/// neighbour's local step has left it and leaves f*_-i there, which is its place of arrival. For a node of layer
+/// z that is streaming[z][i]: behind a wall at rest the node's own f*_-i (half-way bounce-back), behind the mirror
+/// plane the mirrored direction of the neighbour that is the image.
+struct StreamingPlaces {
+  PlacesOfNode local;
+  std::vector<PlacesOfNode> streaming;
+};
+StreamingPlaces streaming_places(const UnitCell& cell, const LatticeLayout& layout);
 
 enum class WallModel { half_way, interpolated };
 
@@ -71,8 +87,7 @@ struct LinkTable {
   std::vector<Combination> combinations;
 };
 
-/// Tables of the in-place ("AA", Bailey et al. 2009) scheme, one per plane x. `before[x]` fills the slots
-/// outside the fluid that the streaming step of plane x reads; it needs the local step of the planes x - 1 ..
+/// Tables of the in-place scheme, one per plane x. `before[x]` fills the places outside the fluid that the streaming step of plane x reads; it needs the local step of the planes x - 1 ..
 /// x + 1 and must run before the streaming step of plane x - 1, which overwrites what interpolated walls look
 /// at. `after[x]` brings home what the streaming step of the planes x - 1 .. x + 1 has written outside the
 /// fluid; it must not run ahead of `before[x + 1]`, nor plane 0 ahead of the last plane, its periodic

@@ -57,10 +57,13 @@ double peak_flops() {
   for (int k = 0; k < chains; ++k) a[k] = V([&](auto lane) { return Real(0.1) * Real(int(lane) + k); });
   const V factor = Real(0.9999), addend = Real(1e-4);
   const double time = seconds([&] {
+    V b[chains];  // registers
+    for (int k = 0; k < chains; ++k) b[k] = a[k];
     for (int r = 0; r < rounds; ++r) {
 #pragma GCC unroll 12
-      for (int k = 0; k < chains; ++k) a[k] = a[k] * factor + addend;
+      for (int k = 0; k < chains; ++k) b[k] = b[k] * factor + addend;
     }
+    for (int k = 0; k < chains; ++k) a[k] = b[k];
   });
   Real sum = 0;
   for (const V& v : a) sum += stdx::reduce(v);
