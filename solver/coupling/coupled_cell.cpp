@@ -23,31 +23,50 @@ CoupledCell<Real>::CoupledCell(Lattice<Real>& lattice, Membrane& membrane, const
       forces_(Eigen::MatrixX3d::Zero(positions_.rows(), 3)),
       gradient_(Eigen::MatrixX3d::Zero(positions_.rows(), 3)),
       near_solid_(static_cast<std::size_t>(positions_.rows()), 0) {
-  model_.mobility = stable_mobility(membrane_, model_.mobility);
+  // Both limits are those of one update.
+  const double steps = model_.steps_per_update;
+  model_.mobility = stable_mobility(membrane_, steps * model_.mobility) / steps;
   viscosity_.update(positions_);
 }
 
 template <class Real>
 void CoupledCell<Real>::step() {
   if (failed_) return;
+  const long step_of_update = steps_ % model_.steps_per_update;
+  if (step_of_update == 0) load_fluid();
+  lattice_.step(boundary_.active());
+  ++steps_;
+  if (step_of_update + 1 == model_.steps_per_update) move();
+}
+
+template <class Real>
+void CoupledCell<Real>::load_fluid() {
   membrane_.forces(positions_, forces_);
   if (external_forces.rows() == forces_.rows()) forces_ += external_forces;
   add_repulsion();
-  if (steps_ % model_.viscosity_update_interval == 0) viscosity_.update(positions_);
-  boundary_.locate(positions_, near_solid_);
+  if (steps_ / model_.steps_per_update % model_.viscosity_update_interval == 0) viscosity_.update(positions_);
+  if (model_.retraction > 0.0) {
+    membrane_.volume_gradient(positions_, gradient_);
+    points_ = positions_ - model_.retraction * gradient_.rowwise().normalized();
+    boundary_.locate(points_, near_solid_);
+  } else {
+    boundary_.locate(positions_, near_solid_);
+  }
   boundary_.spread(forces_);
-  lattice_.step(boundary_.active());
+}
+
+template <class Real>
+void CoupledCell<Real>::move() {
   boundary_.interpolate(velocities_);
   boundary_.clear_force();
   if (model_.mobility > 0.0) force_difference_velocity(membrane_, forces_, model_.mobility, velocities_);
   if (model_.project_volume) project_volume();
-  ++steps_;
   // A node that crosses a lattice spacing per step, or is nowhere, is left where it is: the monitors see the
   // speed.
   const double fastest = velocities_.allFinite() ? velocities_.rowwise().norm().maxCoeff() : HUGE_VAL;
   failed_ = !(fastest < 1.0);
   max_speed_ = fastest;
-  if (!failed_) positions_ += velocities_;
+  if (!failed_) positions_ += static_cast<double>(model_.steps_per_update) * velocities_;
 }
 
 template <class Real>

@@ -5,7 +5,7 @@
 ///   dX_i/dt = sum_x u(x) delta(x - X_i) + v_i      move with the fluid; v_i cures sub-grid mesh modes
 ///   g . dX/dt = -(V - V0) / T                      volume held by projection (g = dV/dX), or by a penalty
 ///
-/// One step per fluid step, explicit.
+/// Explicit; one update of the cell for one or more fluid steps, during which the forces stay as they are.
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
@@ -24,6 +24,11 @@ struct CouplingModel {
   Kernel kernel = Kernel::phi4;
   double mobility =
       0.0;  ///< wanted for the sub-grid regularisation, velocity / force (see stable_mobility); 0: off
+  int steps_per_update = 1;  ///< fluid steps for one update of the membrane
+  /// Distance (lattice spacings) by which the points of spreading and interpolation lie inside the membrane. A
+  /// kernel makes a surface act as if it stood further out by a fixed share of a spacing, an error of first
+  /// order; moving the points in by that share takes it away (Breugem 2012).
+  double retraction = 0.0;
   bool project_volume = true;
   double volume_relaxation_steps = 50.0;  ///< T
   Repulsion pillar_repulsion, wall_repulsion;
@@ -46,7 +51,7 @@ class CoupledCell {
   const Eigen::MatrixX3d& positions() const { return positions_; }
   const Eigen::MatrixX3d& velocities() const { return velocities_; }
   const Eigen::MatrixX3d& forces() const { return forces_; }
-  /// Speed of the fastest node in the last step, infinite if a velocity was not finite. From 1 on the cell
+  /// Speed of the fastest node in the last update, infinite if a velocity was not finite. From 1 on the cell
   /// stays where it is and further steps do nothing: the run has diverged.
   double max_speed() const { return max_speed_; }
   /// Smallest distance of a node to a pillar in the last step.
@@ -69,6 +74,10 @@ class CoupledCell {
   long odd_columns() const { return viscosity_.odd_columns(); }
 
  private:
+  /// Forces of the membrane at its place, spread to the fluid.
+  void load_fluid();
+  /// Moves the membrane with the fluid over the steps since the last update.
+  void move();
   void add_repulsion();
   void project_volume();
 
@@ -78,7 +87,9 @@ class CoupledCell {
   CouplingModel model_;
   ImmersedBoundary<Real> boundary_;
   ViscosityField<Real> viscosity_;
-  Eigen::MatrixX3d positions_, velocities_, forces_, gradient_;
+  Eigen::MatrixX3d positions_, velocities_, forces_;
+  Eigen::MatrixX3d gradient_;  ///< dV/dX at the positions
+  Eigen::MatrixX3d points_;    ///< of the coupling
   std::vector<std::uint8_t> near_solid_;
   double film_ = 0.0, max_speed_ = 0.0;
   bool failed_ = false;

@@ -176,16 +176,16 @@ template <class Real>
 void Lattice<Real>::apply(const LinkTable& table) {
   Real* __restrict__ p = populations_.data();
   for (const CopyRun& run : table.runs) {
-    const Real constant = static_cast<Real>(run.constant);
     Real* __restrict__ to = p + run.destination;
     const Real* __restrict__ from = p + run.source;
-    for (std::uint32_t k = 0; k < run.length; ++k) to[k] = from[k] + constant;
+    for (std::uint32_t k = 0; k < run.length; ++k) to[k] = from[k];
   }
   for (const Copy& copy : table.copies) p[copy.destination] = p[copy.source];
   for (const Combination& link : table.combinations) {
     p[link.destination] = static_cast<Real>(link.weight[0]) * p[link.source[0]] +
                           static_cast<Real>(link.weight[1]) * p[link.source[1]];
   }
+  for (const Addition& link : table.additions) p[link.destination] += static_cast<Real>(link.constant);
 }
 
 template <class Real>

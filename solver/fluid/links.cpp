@@ -86,17 +86,17 @@ class LinkBuilder {
     if (side != HeightSide::inside) {
       // Half-way wall; a wall moving with U adds 6 w_i rho0 (c_i . U) (Ladd 1994) to what has come back.
       const double speed = side == HeightSide::above_wall ? motion_.above : motion_.below;
-      if (speed * v.x != 0.0) copy(to, to, 6.0 * d3q19::weight(i) * v.x * speed);
+      if (speed * v.x != 0.0) add(to, 6.0 * d3q19::weight(i) * v.x * speed);
       return;
     }
     if (fluid(sx, sy, sz)) {
       const bool in_box = sx >= 0 && sx < cell_.nx && sy >= 0 && sy < cell_.ny;
-      if (!in_box) copy(to, image_population(i, sx, sy, sz), 0.0);
+      if (!in_box) copy(to, image_population(i, sx, sy, sz));
       return;
     }
     const int out = opposite(i);
     if (model_ == WallModel::interpolated && add_interpolated(to, x, y, z, i)) return;
-    copy(to, population(out, x, y, z), 0.0);
+    copy(to, population(out, x, y, z));
   }
 
   /// Linear interpolated bounce-back (Bouzidi, Firdaouss and Lallemand 2001). Returns false where the second
@@ -115,9 +115,14 @@ class LinkBuilder {
     return true;
   }
 
-  void copy(const Population& to, const Population& from, double constant) {
-    before_.copies.push_back({to.after_local, from.after_local, 1, constant});
-    after_.copies.push_back({to.after_streaming, from.after_streaming, 1, constant});
+  void copy(const Population& to, const Population& from) {
+    before_.copies.push_back({to.after_local, from.after_local, 1});
+    after_.copies.push_back({to.after_streaming, from.after_streaming, 1});
+  }
+
+  void add(const Population& to, double constant) {
+    before_.additions.push_back({to.after_local, constant});
+    after_.additions.push_back({to.after_streaming, constant});
   }
 
   void combine(const Population& to, std::array<Population, 2> from, std::array<double, 2> weight) {
@@ -130,6 +135,7 @@ class LinkBuilder {
   struct Found {
     std::vector<CopyRun> copies;
     std::vector<Combination> combinations;
+    std::vector<Addition> additions;
   };
 
   /// Sorts by destination and merges neighbours into runs, so that rows move as blocks.
@@ -140,9 +146,9 @@ class LinkBuilder {
               [](const Combination& a, const Combination& b) { return a.destination < b.destination; });
     std::vector<CopyRun> runs;
     for (const CopyRun& next : found.copies) {
-      const bool continues =
-          !runs.empty() && next.destination == runs.back().destination + runs.back().length &&
-          next.source == runs.back().source + runs.back().length && next.constant == runs.back().constant;
+      const bool continues = !runs.empty() &&
+                             next.destination == runs.back().destination + runs.back().length &&
+                             next.source == runs.back().source + runs.back().length;
       if (continues) {
         ++runs.back().length;
       } else {
@@ -152,7 +158,7 @@ class LinkBuilder {
     LinkTable table;
     for (const CopyRun& run : runs) {
       constexpr std::uint32_t worth_a_loop = 8;
-      if (run.length >= worth_a_loop || run.constant != 0.0) {
+      if (run.length >= worth_a_loop) {
         table.runs.push_back(run);
         continue;
       }
@@ -160,6 +166,7 @@ class LinkBuilder {
         table.copies.push_back({run.destination + k, run.source + k});
     }
     table.combinations = std::move(found.combinations);
+    table.additions = std::move(found.additions);
     return table;
   }
 

@@ -63,10 +63,9 @@ struct WallMotion {
   double below = 0.0, above = 0.0;
 };
 
-/// destination[k] = source[k] + constant, k = 0 .. length - 1.
+/// destination[k] = source[k], k = 0 .. length - 1.
 struct CopyRun {
   std::uint32_t destination, source, length;
-  double constant;
 };
 
 /// destination = source: copies that found no neighbours to run with.
@@ -81,10 +80,18 @@ struct Combination {
   std::array<double, 2> weight;
 };
 
+/// destination += constant: what a moving wall adds to a population that comes back from it.
+struct Addition {
+  std::uint32_t destination;
+  double constant;
+};
+
+/// Additions come last: combinations look at what went to the wall.
 struct LinkTable {
   std::vector<CopyRun> runs;
   std::vector<Copy> copies;
   std::vector<Combination> combinations;
+  std::vector<Addition> additions;
 };
 
 /// Tables of the in-place scheme, one per plane x. `before[x]` fills the places outside the fluid that the streaming step of plane x reads; it needs the local step of the planes x - 1 ..

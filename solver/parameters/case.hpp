@@ -62,6 +62,8 @@ struct CouplingParameters {
   double pillar_repulsion = 2.815;  ///< K / (p' l dx^2), force K (1/h^2 - 1/h0^2)
   double wall_repulsion = 0.0;      ///< the same for the top and bottom walls; 0 switches it off
   double repulsion_range = 1.0;     ///< h0 in lattice spacings
+  int steps_per_update = 1;         ///< fluid steps for one update of the membrane
+  double retraction = 0.0;          ///< lattice spacings by which the coupling points lie inside the membrane
 };
 
 struct StopParameters {

@@ -56,6 +56,8 @@ CouplingModel make_coupling_model(const Case& c) {
   model.mobility = c.coupling.regularisation == "force_difference"
                        ? c.coupling.regularisation_strength / l.viscosity
                        : 0.0;
+  model.steps_per_update = c.coupling.steps_per_update;
+  model.retraction = c.coupling.retraction;
   model.project_volume = c.cell.volume_control == "projection";
   model.pillar_repulsion = {l.repulsion_strength, c.coupling.repulsion_range};
   model.wall_repulsion = {l.wall_repulsion_strength, c.coupling.repulsion_range};
