@@ -11,6 +11,9 @@ CoupledCell<Real>::CoupledCell(Lattice<Real>& lattice, Membrane& membrane, const
                                CouplingModel model, Eigen::MatrixX3d positions)
     : lattice_(lattice),
       membrane_(membrane),
+      membrane_forces_(membrane.step_forces(lattice.cell().height == HeightBoundary::mirror_and_wall
+                                                ? MirrorSymmetry::about_z
+                                                : MirrorSymmetry::none)),
       pillars_(pillars),
       model_(model),
       boundary_(lattice, model.kernel,
@@ -41,12 +44,11 @@ void CoupledCell<Real>::step() {
 
 template <class Real>
 void CoupledCell<Real>::load_fluid() {
-  membrane_.forces(positions_, forces_);
+  volume_ = membrane_forces_.forces(positions_, forces_, gradient_).volume;
   if (external_forces.rows() == forces_.rows()) forces_ += external_forces;
   add_repulsion();
   if (steps_ / model_.steps_per_update % model_.viscosity_update_interval == 0) viscosity_.update(positions_);
   if (model_.retraction > 0.0) {
-    membrane_.volume_gradient(positions_, gradient_);
     points_ = positions_ - model_.retraction * gradient_.rowwise().normalized();
     boundary_.locate(points_, near_solid_);
   } else {
@@ -63,7 +65,10 @@ void CoupledCell<Real>::move() {
   if (model_.project_volume) project_volume();
   // A node that crosses a lattice spacing per step, or is nowhere, is left where it is: the monitors see the
   // speed.
-  const double fastest = velocities_.allFinite() ? velocities_.rowwise().norm().maxCoeff() : HUGE_VAL;
+  const auto v = velocities_.array();
+  const double fastest =
+      v.allFinite() ? std::sqrt((v.col(0).square() + v.col(1).square() + v.col(2).square()).maxCoeff())
+                    : HUGE_VAL;
   failed_ = !(fastest < 1.0);
   max_speed_ = fastest;
   if (!failed_) positions_ += static_cast<double>(model_.steps_per_update) * velocities_;
@@ -97,8 +102,7 @@ void CoupledCell<Real>::add_repulsion() {
 
 template <class Real>
 void CoupledCell<Real>::project_volume() {
-  membrane_.volume_gradient(positions_, gradient_);
-  const double excess = membrane_.volume(positions_) - membrane_.reference_volume();
+  const double excess = volume_ - membrane_.reference_volume();
   const double rate = gradient_.cwiseProduct(velocities_).sum() + excess / model_.volume_relaxation_steps;
   velocities_ -= rate / gradient_.squaredNorm() * gradient_;
 }

@@ -83,14 +83,16 @@ class CoupledCell {
 
   Lattice<Real>& lattice_;
   Membrane& membrane_;
+  MembraneForces membrane_forces_;
   const PillarArray& pillars_;
   CouplingModel model_;
   ImmersedBoundary<Real> boundary_;
   ViscosityField<Real> viscosity_;
   Eigen::MatrixX3d positions_, velocities_, forces_;
-  Eigen::MatrixX3d gradient_;  ///< dV/dX at the positions
+  Eigen::MatrixX3d gradient_;  ///< of volume_
   Eigen::MatrixX3d points_;    ///< of the coupling
   std::vector<std::uint8_t> near_solid_;
+  double volume_ = 0.0;  ///< of the cell at positions_, before they move
   double film_ = 0.0, max_speed_ = 0.0;
   bool failed_ = false;
   long steps_ = 0;

@@ -17,10 +17,8 @@ inline double face_volume(Vec3 x1, Vec3 normal) {
   return dot(x1, normal) / 6;
 }
 
-/// Share of one face in dV/dx of each of its corners.
-inline Vec3 volume_gradient_of_face(Vec3 normal) {
-  return (1.0 / 6) * normal;
-}
+/// Share of one face in dV/dx of each of its corners, per area normal.
+constexpr double volume_gradient_per_normal = 1.0 / 6;
 
 /// Energy (K/2)(q - q0)^2 / q0 of a global quantity q (area or volume).
 inline double penalty_energy(double modulus, double q, double q0) {

@@ -1,5 +1,5 @@
 /// Reference state and connectivity of the membrane, its energy and what is measured on it. These run
-/// once or on request; the forces of every time step are in membrane_forces.cpp.
+/// once or on request; the forces of every time step are those of MembraneForces.
 #include "membrane/membrane.hpp"
 
 #include <algorithm>
@@ -27,113 +27,87 @@ struct FaceCorners {
   }
 };
 
-/// Place (0, 1, 2) of a vertex in a face that has it.
-int corner_of(const Eigen::MatrixX3i& faces, int face, int vertex) {
-  return faces(face, 0) == vertex ? 0 : (faces(face, 1) == vertex ? 1 : 2);
-}
-
 }  // namespace
 
 Membrane::Membrane(TriangleMesh reference, const MembraneModuli& moduli, StressFreeAngle angle)
-    : mesh_(std::move(reference)), moduli_(moduli), edges_(edges_of(mesh_)) {
-  const auto nf = mesh_.faces.rows(), ne = static_cast<Eigen::Index>(edges_.size());
-  metric_.resize(nf, 4);
-  angle_.resize(ne, 2);
-  edge_faces_.resize(ne, 3);
-  face_edges_.resize(nf, 3);
-  normal_.resize(nf, 3);
-  sides_.resize(3 * nf, 3);
-  hinge_.resize(ne);
-  corner_force_.setZero(3 * nf + 1, 3);
+    : reference_{std::move(reference), moduli, {}, 0, 0, {}, {}} {
   build_reference(angle);
-  build_incidence();
+  build_neighbours();
+  whole_.emplace(reference_);
 }
 
 void Membrane::build_reference(StressFreeAngle angle) {
-  const MembraneState state = [&] {
-    metric_.setOnes();
-    return measure(mesh_.vertices);
-  }();
-  reference_area_ = state.area;
-  reference_volume_ = state.volume;
-  if (reference_volume_ <= 0) throw std::invalid_argument("membrane mesh is not oriented outward");
+  auto& [mesh, moduli, edges, area, volume, metric, angles] = reference_;
+  edges = edges_of(mesh);
+  metric.setOnes(face_count(), 4);
+  angles.resize(static_cast<Eigen::Index>(edges.size()), 2);
+  const MembraneState state = measure(mesh.vertices);
+  area = state.area;
+  volume = state.volume;
+  if (volume <= 0) throw std::invalid_argument("membrane mesh is not oriented outward");
   for (Eigen::Index f = 0; f < face_count(); ++f) {
-    const FaceCorners face(mesh_.vertices, mesh_.faces, f);
+    const FaceCorners face(mesh.vertices, mesh.faces, f);
     const auto ref = reference_triangle(face.a, face.b);
-    metric_.row(f) << ref.h11, ref.h12, ref.h22, ref.area;
+    metric.row(f) << ref.h11, ref.h12, ref.h22, ref.area;
   }
-  const ConstColumns3 x(mesh_.vertices);
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const Edge& edge = edges_[i];
-    const Vec3 n = FaceCorners(mesh_.vertices, mesh_.faces, edge.face).normal;
-    const Vec3 m = FaceCorners(mesh_.vertices, mesh_.faces, edge.opposite_face).normal;
+  const ConstColumns3 x(mesh.vertices);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Edge& edge = edges[i];
+    const Vec3 n = FaceCorners(mesh.vertices, mesh.faces, edge.face).normal;
+    const Vec3 m = FaceCorners(mesh.vertices, mesh.faces, edge.opposite_face).normal;
     const auto [s, c] = scaled_dihedral(x[edge.v2] - x[edge.v1], n, m);
     const double length = std::hypot(s, c);
     const auto row = static_cast<Eigen::Index>(i);
-    angle_.row(row) << (angle == StressFreeAngle::flat ? 0 : s / length),
+    angles.row(row) << (angle == StressFreeAngle::flat ? 0 : s / length),
         (angle == StressFreeAngle::flat ? 1 : c / length);
   }
 }
 
-void Membrane::build_incidence() {
-  const auto nv = vertex_count(), nf = face_count();
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const Edge& edge = edges_[i];
-    const int k3 = corner_of(mesh_.faces, edge.face, edge.v3);
-    const int k4 = corner_of(mesh_.faces, edge.opposite_face, edge.v4);
-    face_edges_(edge.face, k3) = face_edges_(edge.opposite_face, k4) = static_cast<int>(i);
-    edge_faces_.row(static_cast<Eigen::Index>(i)) << k3 * static_cast<int>(nf) + edge.face, edge.face,
-        edge.opposite_face;
-  }
+void Membrane::build_neighbours() {
+  const auto nv = vertex_count();
   Eigen::VectorXi valence = Eigen::VectorXi::Zero(nv);
-  for (const Edge& edge : edges_) ++valence(edge.v1), ++valence(edge.v2);
-  const int width = valence.maxCoeff();
-
-  corners_.setConstant(nv, width, static_cast<int>(3 * nf));
-  Eigen::VectorXi filled = Eigen::VectorXi::Zero(nv);
-  for (int f = 0; f < nf; ++f) {
-    for (int k = 0; k < 3; ++k) {
-      const int v = mesh_.faces(f, k);
-      corners_(v, filled(v)++) = static_cast<int>(k * nf) + f;
-    }
-  }
-  neighbours_ = Eigen::VectorXi::LinSpaced(nv, 0, static_cast<int>(nv) - 1).replicate(1, width);
-  filled.setZero();
-  for (const Edge& edge : edges_) {
-    neighbours_(edge.v1, filled(edge.v1)++) = edge.v2;
-    neighbours_(edge.v2, filled(edge.v2)++) = edge.v1;
+  for (const Edge& edge : edges()) ++valence(edge.v1), ++valence(edge.v2);
+  neighbours_ =
+      Eigen::RowVectorXi::LinSpaced(nv, 0, static_cast<int>(nv) - 1).replicate(valence.maxCoeff(), 1);
+  valence.setZero();
+  for (const Edge& edge : edges()) {
+    neighbours_(valence(edge.v1)++, edge.v1) = edge.v2;
+    neighbours_(valence(edge.v2)++, edge.v2) = edge.v1;
   }
 }
 
 double Membrane::volume(const Eigen::MatrixX3d& x) const {
   double sum = 0;
   for (Eigen::Index f = 0; f < face_count(); ++f) {
-    const FaceCorners face(x, mesh_.faces, f);
+    const FaceCorners face(x, reference_.mesh.faces, f);
     sum += face_volume(face.x1, face.normal);
   }
   return sum;
 }
 
 MembraneEnergy Membrane::energy_terms(const Eigen::MatrixX3d& x) const {
-  const SkalakModuli skalak{moduli_.shear / moduli_.skalak_denominator, moduli_.local_area / 12};
+  const SkalakModuli skalak{reference_.moduli.shear / reference_.moduli.skalak_denominator,
+                            reference_.moduli.local_area / 12};
   MembraneEnergy energy;
   double area = 0;
   for (Eigen::Index f = 0; f < face_count(); ++f) {
-    const FaceCorners face(x, mesh_.faces, f);
-    const ReferenceTriangle ref{metric_(f, 0), metric_(f, 1), metric_(f, 2), metric_(f, 3)};
+    const FaceCorners face(x, reference_.mesh.faces, f);
+    const ReferenceTriangle ref{reference_.metric(f, 0), reference_.metric(f, 1), reference_.metric(f, 2),
+                                reference_.metric(f, 3)};
     energy.skalak += skalak_energy(ref, skalak, face.a, face.b);
     area += face_area(face.normal);
   }
   const ConstColumns3 p(x);
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const Edge& edge = edges_[i];
+  for (std::size_t i = 0; i < edges().size(); ++i) {
+    const Edge& edge = edges()[i];
     const auto row = static_cast<Eigen::Index>(i);
-    energy.bending += bending_energy(
-        moduli_.bending, p[edge.v2] - p[edge.v1], FaceCorners(x, mesh_.faces, edge.face).normal,
-        FaceCorners(x, mesh_.faces, edge.opposite_face).normal, {angle_(row, 0), angle_(row, 1)});
+    energy.bending += bending_energy(reference_.moduli.bending, p[edge.v2] - p[edge.v1],
+                                     FaceCorners(x, reference_.mesh.faces, edge.face).normal,
+                                     FaceCorners(x, reference_.mesh.faces, edge.opposite_face).normal,
+                                     {reference_.angle(row, 0), reference_.angle(row, 1)});
   }
-  energy.area = penalty_energy(moduli_.global_area, area, reference_area_);
-  energy.volume = penalty_energy(moduli_.volume, volume(x), reference_volume_);
+  energy.area = penalty_energy(reference_.moduli.global_area, area, reference_.area);
+  energy.volume = penalty_energy(reference_.moduli.volume, volume(x), reference_.volume);
   return energy;
 }
 
@@ -141,8 +115,8 @@ MembraneState Membrane::measure(const Eigen::MatrixX3d& x) const {
   MembraneState state;
   state.volume = volume(x);
   for (Eigen::Index f = 0; f < face_count(); ++f) {
-    const double area = face_area(FaceCorners(x, mesh_.faces, f).normal);
-    const double ratio = area / metric_(f, 3);
+    const double area = face_area(FaceCorners(x, reference_.mesh.faces, f).normal);
+    const double ratio = area / reference_.metric(f, 3);
     state.area += area;
     state.min_face_ratio = f == 0 ? ratio : std::min(state.min_face_ratio, ratio);
     state.max_local_area_strain = std::max(state.max_local_area_strain, std::abs(ratio - 1));

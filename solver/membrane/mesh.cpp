@@ -166,4 +166,17 @@ std::vector<Edge> edges_of(const TriangleMesh& mesh) {
   return edges;
 }
 
+Eigen::VectorXi mirror_images(const Eigen::MatrixX3d& vertices) {
+  std::map<std::array<double, 3>, int> vertex_at;
+  const int nv = static_cast<int>(vertices.rows());
+  for (int v = 0; v < nv; ++v) vertex_at[{vertices(v, 0), vertices(v, 1), vertices(v, 2)}] = v;
+  Eigen::VectorXi images(nv);
+  for (int v = 0; v < nv; ++v) {
+    const auto image = vertex_at.find({vertices(v, 0), vertices(v, 1), -vertices(v, 2)});
+    if (image == vertex_at.end()) throw std::invalid_argument("the mesh is not mirror-symmetric about z = 0");
+    images(v) = image->second;
+  }
+  return images;
+}
+
 }  // namespace dld

@@ -22,6 +22,10 @@ struct Edge {
 /// Throws std::invalid_argument when the mesh is not closed or not consistently oriented.
 std::vector<Edge> edges_of(const TriangleMesh& mesh);
 
+/// Number of the vertex at (x, y, -z) for every vertex (x, y, z); a vertex on z = 0 is its own image.
+/// Throws std::invalid_argument when a vertex has no image, to the last bit.
+Eigen::VectorXi mirror_images(const Eigen::MatrixX3d& vertices);
+
 /// Unit sphere: every face of the icosahedron with its 2-fold axes along x, y, z divided into
 /// frequency^2 triangles and projected; 20 n^2 faces, 10 n^2 + 2 vertices. The vertex set is exactly
 /// (bit by bit) symmetric about x = 0, y = 0 and z = 0.

@@ -3,24 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
-#include "membrane/vec3.hpp"
+#include "membrane/rows.hpp"
 
 namespace dld {
 
 void force_difference_velocity(const Membrane& membrane, const Eigen::MatrixX3d& f, double mobility,
                                Eigen::MatrixX3d& v_add) {
   const Eigen::MatrixXi& neighbours = membrane.neighbours();
-  const ConstColumns3 force(f), sum(v_add);
-  const Columns3 velocity(v_add);
-  const Eigen::Index nv = membrane.vertex_count();
+  const Eigen::Index nv = membrane.vertex_count(), valence = neighbours.rows();
+  Rows rows(4, nv);
+  const ConstColumns3 force(f);
+  const RowsOut row(rows);
+  for (Eigen::Index v = 0; v < nv; ++v) row.set(v, force[v]);
   const double weight = mobility / 6;
-  for (Eigen::Index slot = 0; slot < neighbours.cols(); ++slot) {
-    const int* neighbour = neighbours.data() + slot * nv;
-#pragma omp simd
-    for (Eigen::Index v = 0; v < nv; ++v) {
-      // A vertex of lower valence is its own neighbour in the unused places, which adds nothing.
-      velocity.set(v, sum[v] + weight * (force[v] - force[neighbour[v]]));
-    }
+  const ConstColumns3 sum(v_add);
+  const Columns3 velocity(v_add);
+  for (Eigen::Index v = 0; v < nv; ++v) {
+    // A vertex of lower valence is its own neighbour in the unused places, which adds nothing.
+    const int* neighbour = neighbours.data() + v * valence;
+    const Eigen::Vector4d own = rows.col(v);
+    Eigen::Vector4d difference = own - rows.col(neighbour[0]);
+    for (Eigen::Index k = 1; k < valence; ++k) difference += own - rows.col(neighbour[k]);
+    velocity.set(v, sum[v] + weight * Vec3{difference[0], difference[1], difference[2]});
   }
 }
 

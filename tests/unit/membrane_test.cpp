@@ -140,6 +140,61 @@ TEST(Membrane, VolumeGradient) {
   }
 }
 
+/// Positions as in deformed(), but their own mirror image about z = 0 and far from the origin.
+Eigen::MatrixX3d deformed_symmetrically(const TriangleMesh& mesh) {
+  const Eigen::VectorXi image = mirror_images(mesh.vertices);
+  Eigen::MatrixX3d x = deformed(mesh);
+  for (int v = 0; v < x.rows(); ++v) {
+    if (mesh.vertices(v, 2) > 0) x.row(image(v)) << x(v, 0), x(v, 1), -x(v, 2);
+    if (image(v) == v) x(v, 2) = 0;
+  }
+  x.rowwise() += Eigen::RowVector3d(40, -70, 0);
+  return x;
+}
+
+/// Meshes with faces across the plane, with edges across it and with vertices on it.
+TEST(MembraneForces, HalfIsWholeForASymmetricShape) {
+  for (int frequency : {3, 4, 5, 10}) {
+    for (const auto& [name, moduli] : terms()) {
+      const Membrane membrane(red_blood_cell(frequency, radius), moduli);
+      MembraneForces whole(membrane.step_forces(MirrorSymmetry::none)),
+          half(membrane.step_forces(MirrorSymmetry::about_z));
+      Eigen::MatrixX3d x = deformed_symmetrically(membrane.reference()), f, g, half_f, half_g;
+      const AreaAndVolume all = whole.forces(x, f, g);
+      // The lower half is not looked at.
+      for (auto p : x.rowwise()) {
+        if (p(2) < 0) p.setConstant(std::nan(""));
+      }
+      const AreaAndVolume twice = half.forces(x, half_f, half_g);
+      EXPECT_GT(f.norm(), 0.1) << name;
+      EXPECT_LT((half_f - f).cwiseAbs().maxCoeff(), 1e-12 * f.cwiseAbs().maxCoeff()) << name << frequency;
+      EXPECT_LT((half_g - g).cwiseAbs().maxCoeff(), 1e-12 * g.cwiseAbs().maxCoeff()) << name << frequency;
+      EXPECT_NEAR(twice.area / all.area, 1, 1e-13) << name << frequency;
+      EXPECT_NEAR(twice.volume / all.volume, 1, 1e-12) << name << frequency;
+    }
+  }
+}
+
+TEST(MembraneForces, OnePassAgreesWithTheSeparateOnes) {
+  Membrane membrane(red_blood_cell(6, radius), all_terms);
+  const Eigen::MatrixX3d x = deformed(membrane.reference());
+  Eigen::MatrixX3d f, g, f_alone, g_alone;
+  const AreaAndVolume now = membrane.step_forces(MirrorSymmetry::none).forces(x, f, g);
+  membrane.forces(x, f_alone);
+  membrane.volume_gradient(x, g_alone);
+  EXPECT_TRUE(f == f_alone);
+  EXPECT_TRUE(g == g_alone);
+  EXPECT_NEAR(now.volume / membrane.volume(x), 1, 1e-13);
+  EXPECT_NEAR(now.area / membrane.measure(x).area, 1, 1e-13);
+}
+
+TEST(MembraneForces, AMeshWithoutTheSymmetryIsRefused) {
+  TriangleMesh mesh = red_blood_cell(4, radius);
+  mesh.vertices(7, 0) += 1e-9;
+  const Membrane membrane(mesh, all_terms);
+  EXPECT_THROW(membrane.step_forces(MirrorSymmetry::about_z), std::invalid_argument);
+}
+
 /// Forces as in the textbook form: F = Ds Dm^-1, S = 2 (w1 Id + w2 adj C), [f2 f3] = -A0 F S Dm^-T.
 TEST(Skalak, AgreesWithTheDeformationGradientForm) {
   const double ks = 5.3, k = 12, kalpha = 30;
