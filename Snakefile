@@ -9,6 +9,7 @@ The runs of a tier stand in params/study.json; workflow/study/plan.py resolves t
 import os
 import sys
 from glob import glob
+from pathlib import Path
 
 from snakemake.utils import min_version
 
@@ -35,7 +36,9 @@ include: "workflow/rules/build.smk"
 include: "workflow/rules/runs.smk"
 include: "workflow/rules/flow.smk"
 include: "workflow/rules/stretching.smk"
+include: "workflow/rules/boundary.smk"
 include: "workflow/rules/passages.smk"
+include: "workflow/rules/sensitivity.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/claims.smk"
 
@@ -45,6 +48,13 @@ rule all:
     input:
         FLOW_TABLES,
         STRETCHING_TABLES,
+        BOUNDARY_TABLES,
         PASSAGE_TABLES,
+        SENSITIVITY_TABLES,
         FIGURE_FILES,
         CLAIM_FILES,
+
+
+onsuccess:
+    if Path(CLAIM_FILES[0]).exists():
+        shell(f"python {SCRIPTS}/print_claims.py {CLAIM_FILES[0]}")

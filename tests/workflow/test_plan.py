@@ -5,6 +5,7 @@ import copy
 import pytest
 from study import plan as planning
 
+GROUPS = {"streamlines", "stokes", "stretching", "passages", "boundary", "sensitivity", "sensitivity-flow"}
 CASE_SCHEMA = planning.read_json(planning.SCHEMAS / "case.schema.json")
 
 
@@ -15,7 +16,7 @@ def identity(case, model=1):
 @pytest.mark.parametrize("tier", ["smoke", "paper"])
 def test_every_tier_has_a_valid_plan_with_all_groups(study, tier):
     plan = planning.make_plan(study, tier, CASE_SCHEMA)
-    assert {run["group"] for run in plan["runs"]} == {"streamlines", "stokes", "stretching", "passages"}
+    assert {run["group"] for run in plan["runs"]} == GROUPS
     for run in plan["runs"]:
         assert planning.problems(run["case"], CASE_SCHEMA) == []
 

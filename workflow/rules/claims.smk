@@ -6,7 +6,7 @@ CLAIM_FILES = [f"{RESULTS}/claims.csv", f"{RESULTS}/claims.md"]
 rule claims:
     input:
         claims=CLAIMS,
-        tables=FLOW_TABLES + STRETCHING_TABLES + PASSAGE_TABLES,
+        tables=FLOW_TABLES + STRETCHING_TABLES + BOUNDARY_TABLES + PASSAGE_TABLES,
         experiment=EXPERIMENT,
         script=f"{SCRIPTS}/claims_table.py",
         package=PACKAGE,
@@ -18,8 +18,9 @@ rule claims:
     params:
         tables=TABLES,
         tier=TIER,
+        whole="" if TIER == "smoke" else "--whole",
     shell:
         """
-        python {input.script} --claims {input.claims} --tables {params.tables} --tier {params.tier} \
+        python {input.script} --claims {input.claims} --tables {params.tables} --tier {params.tier} {params.whole} \
             --experiment {input.experiment} --csv {output.csv} --markdown {output.md} 2> {log}
         """

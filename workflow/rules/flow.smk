@@ -3,7 +3,7 @@
 FLOW_TABLES = expand(
     "{folder}/{name}.csv",
     folder=TABLES,
-    name=["streamline_separation", "fits", "stokes_checks", "units"],
+    name=["streamline_separation", "fits_separation", "stokes_checks", "units"],
 )
 
 
@@ -30,7 +30,7 @@ rule separation_law_fits:
         script=f"{SCRIPTS}/separation_law_fits.py",
         package=PACKAGE,
     output:
-        f"{TABLES}/fits.csv",
+        f"{TABLES}/fits_separation.csv",
     log:
         f"{LOGS}/separation_law_fits.log",
     shell:

@@ -1,6 +1,6 @@
 """Solver runs, one folder each, named by the hash of the resolved case.
 
-The solver and the study are `ancient`: a run depends on its case alone, which its name identifies. A change
+The solver and the plan are `ancient`: a run depends on its case alone, which its name identifies. A change
 of the solver that changes results raises `solver_model` in params/study.json, and with it every identity.
 """
 
@@ -24,7 +24,7 @@ rule plan:
 rule solve:
     input:
         dld=ancient(DLD),
-        study=ancient(STUDY),
+        plan=ancient(rules.plan.output[0]),
         writer=ancient(f"{SCRIPTS}/write_case.py"),
         runner=ancient(f"{SCRIPTS}/run_case"),
     output:
@@ -35,12 +35,10 @@ rule solve:
         f"{RUNS}/{{run}}/run.log",
     benchmark:
         f"{RUNS}/{{run}}/benchmark.tsv"
-    params:
-        tier=TIER,
     threads: 1
     shell:
         """
-        python {input.writer} --study {input.study} --tier {params.tier} --run {wildcards.run} > {output.case}
+        python {input.writer} --plan {input.plan} --run {wildcards.run} > {output.case}
         {input.runner} {input.dld} {output.case} {output.h5} {output.summary} {threads} {log}
         """
 
@@ -48,3 +46,6 @@ rule solve:
 def of_runs(name, *groups):
     """The file `name` of every run of the given groups of the plan."""
     return expand(f"{RUNS}/{{run}}/{name}", run=ids(PLAN, *groups))
+
+
+ALL_RUNS = expand(f"{RUNS}/{{run}}/summary.json", run=list(dict.fromkeys(run["id"] for run in PLAN["runs"])))

@@ -42,7 +42,12 @@ def main():
         parser.add_argument(name, required=True)
     arguments = parser.parse_args()
     plan, table = read_json(arguments.plan), read_table(arguments.table)
-    chosen = table[table.sweep == plan["figures"]["trajectory_sweep"]]
+    figures = plan["figures"]
+    chosen = table[
+        (table.sweep == figures["trajectory_sweep"])
+        & table.row_shift_um.isin(figures["trajectory_row_shifts_um"])
+        & table.capillary_number.isin(figures["trajectory_capillary_numbers"])
+    ]
     styles = dict.fromkeys(COLUMNS[3:], ".3f") | {"row_shift_um": ".1f"}
     write_table(chosen.to_dict("records"), COLUMNS, arguments.csv, COLUMNS[:2], styles)
     figure = style.new_figure(5.0, 0.9 + 0.48 * chosen.row_shift_um.nunique())

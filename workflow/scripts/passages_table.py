@@ -1,6 +1,9 @@
-"""One row for every passage of a cell: class, lateral extent, quality, cost. Diverged runs are rows too."""
+"""One row for every passage of a cell: class, lateral extent, quality, cost. Diverged runs are rows too.
 
-from study.runs import load_runs
+The runs that narrowed the boundary stand in the sweeps boundary/<series>.
+"""
+
+from study.runs import passage_runs
 from study.tables import table_arguments, write_table
 
 FROM_SUMMARY = [
@@ -33,14 +36,13 @@ COLUMNS = [
     "class",
     *FROM_SUMMARY,
     "speed_um_per_kilostep",
-    "wall_s",
     "run",
 ]
 STYLES = {
     "dx_um": ".4f",
     "row_shift_um": ".1f",
     "epsilon": ".4f",
-    "capillary_number": ".3g",
+    "capillary_number": ".4g",
     "d_perp_um": ".3f",
     "d_perp_at_centre_um": ".3f",
     "centre_um": ".3f",
@@ -51,7 +53,6 @@ STYLES = {
     "min_face_ratio": ".3f",
     "max_local_area_strain": ".3f",
     "speed_um_per_kilostep": ".4f",
-    "wall_s": ".1f",
 }
 
 
@@ -77,14 +78,14 @@ def row_of(run):
         "class": summary["status"],
         **{name: summary.get(name) for name in FROM_SUMMARY},
         "speed_um_per_kilostep": mean_speed(run),
-        "wall_s": run.wall_s(),
         "run": run.id,
     }
 
 
 def main():
-    arguments = table_arguments(__doc__)
-    rows = [row_of(run) for run in load_runs(arguments.plan, arguments.runs, "passages")]
+    arguments = table_arguments(__doc__, "brackets")
+    runs = passage_runs(arguments.plan, arguments.brackets, arguments.runs)
+    rows = [row_of(run) for run in runs]
     keys = ["sweep", "dx_um", "skalak_denominator", "lateral_flow", "row_shift_um", "capillary_number"]
     write_table(rows, COLUMNS, arguments.output, keys, STYLES)
 

@@ -4,7 +4,7 @@ import argparse
 
 import numpy as np
 from study.claims import load_claims
-from study.fits import fit_power_law
+from study.fits import bootstrap_power_law, fit_power_law
 from study.tables import read_table, write_table
 
 PARAMETERS = ["A_um", "B"]
@@ -16,15 +16,18 @@ def fitted(name, epsilon, separation_um, paper):
     if len(epsilon) < 3:
         return []
     values, errors = fit_power_law(epsilon, 2 * separation_um)
+    intervals = bootstrap_power_law(epsilon, 2 * separation_um)
     return [
         {
             "name": name,
             "parameter": parameter,
             "value": value,
             "std_error": error,
+            "low": low,
+            "high": high,
             "paper_value": paper[parameter],
         }
-        for parameter, value, error in zip(PARAMETERS, values, errors, strict=True)
+        for parameter, value, error, (low, high) in zip(PARAMETERS, values, errors, intervals, strict=True)
     ]
 
 
@@ -45,10 +48,10 @@ def main():
     rows += fitted("separation-law/printed-table", shifts / PITCH_UM, separations, law)
     write_table(
         rows,
-        ["name", "parameter", "value", "std_error", "paper_value"],
+        ["name", "parameter", "value", "std_error", "low", "high", "paper_value"],
         arguments.output,
         ["name", "parameter"],
-        {"value": ".4f", "std_error": ".4f"},
+        dict.fromkeys(["value", "std_error", "low", "high"], ".4f"),
     )
 
 

@@ -27,6 +27,7 @@ COLUMNS = [
     "reversal_rms_high",
     "s_um_high",
     "s_upper_um_high",
+    "runs",
 ]
 
 
@@ -70,6 +71,7 @@ def row_of(runs):
         "reversal_rms_high": high_rms,
         "s_um_high": summaries[1]["separation_um"],
         "s_upper_um_high": summaries[1]["separation_upper_um"],
+        "runs": f"{low.id} {high.id}",
     }
 
 

@@ -19,6 +19,15 @@ def thinned(steps, x, y, last_x):
             yield int(step), float(at_x), float(at_y)
 
 
+def shown(run, figures):
+    """Is this one of the cells of the figure?"""
+    return (
+        run.labels["sweep"] == figures["trajectory_sweep"]
+        and run.row_shift_um in figures["trajectory_row_shifts_um"]
+        and run.case["cell"]["capillary_number"] in figures["trajectory_capillary_numbers"]
+    )
+
+
 def rows_of(run, rows_shown):
     """Table rows of one run."""
     steps, x, y = (run.data(f"trajectory/{name}") for name in ("step", "x_um", "y_um"))
@@ -38,7 +47,7 @@ def main():
     arguments = table_arguments(__doc__)
     figures = read_json(arguments.plan)["figures"]
     runs = load_runs(arguments.plan, arguments.runs, "passages")
-    chosen = [run for run in runs if run.labels["sweep"] == figures["trajectory_sweep"]]
+    chosen = [run for run in runs if shown(run, figures)]
     rows = [row for run in chosen for row in rows_of(run, figures["trajectory_rows"])]
     styles = {"x_um": ".2f", "y_um": ".3f", "row_shift_um": ".1f"}
     keys = ["row_shift_um", "capillary_number", "step"]

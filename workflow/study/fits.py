@@ -20,7 +20,20 @@ def fit_power_law(x, y):
     return tuple(values), tuple(np.sqrt(np.diag(covariance)))
 
 
-def _observed_order(spacings, values):
+def bootstrap_power_law(x, y, samples=400, seed=20141):
+    """95 % intervals of (A, B) of y = A x^B by resampling the points; NaN with fewer than four points."""
+    x, y = np.asarray(x, float), np.asarray(y, float)
+    if len(x) < 4:
+        return ((np.nan, np.nan), (np.nan, np.nan))
+    random, found = np.random.default_rng(seed), []
+    while len(found) < samples:
+        pick = random.integers(len(x), size=len(x))
+        if len(set(x[pick])) >= 3:
+            found.append(fit_power_law(x[pick], y[pick])[0])
+    return tuple(map(tuple, np.percentile(found, [2.5, 97.5], axis=0).T))
+
+
+def observed_order(spacings, values):
     """Order p of s = s0 + a h^p through three points; None outside 0.5 ... 4 or without monotony."""
     h3, h2, h1 = spacings
     d32, d21 = values[0] - values[1], values[1] - values[2]
@@ -47,7 +60,7 @@ def refined_limit(spacings, values):
         raise ValueError("a limit needs at least two lattices")
     second_order = s[-1] + (s[-1] - s[-2]) / ((h[-2] / h[-1]) ** 2 - 1)
     correction = abs(second_order - s[-1])
-    p = _observed_order(h[-3:], s[-3:]) if len(h) >= 3 else None
+    p = observed_order(h[-3:], s[-3:]) if len(h) >= 3 else None
     if p is None:
         return float(second_order), float(correction), None
     limit = s[-1] + (s[-1] - s[-2]) / ((h[-2] / h[-1]) ** p - 1)

@@ -6,10 +6,13 @@ Defaults come from the case schema that the solver prints (`dld schema`), not fr
 
 import hashlib
 import json
-from itertools import product
 from pathlib import Path
 
 from jsonschema import Draft202012Validator
+
+from study import points
+from study.brackets import AXES, at_value, off_axis
+from study.points import merged
 
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMAS = ROOT / "workflow" / "schemas"
@@ -43,18 +46,6 @@ def validated(path, schema_name):
     return document
 
 
-def merged(*overlays):
-    """Nested dictionaries laid over one another; the last one wins, leaf by leaf."""
-    result = {}
-    for overlay in overlays:
-        for key, value in overlay.items():
-            if isinstance(value, dict):
-                result[key] = merged(result.get(key, {}), value)
-            else:
-                result[key] = value
-    return result
-
-
 def with_defaults(value, schema):
     """A value with the defaults of its schema filled in and whole numbers written as the schema's type."""
     if "properties" in schema:
@@ -86,61 +77,90 @@ def resolved(case, case_schema):
 
 
 def run_id(case, solver_model):
-    """Identity of a run: the first 12 hexadecimal digits of the hash of its resolved case."""
-    text = json.dumps({"case": case, "solver_model": solver_model}, sort_keys=True, separators=(",", ":"))
+    """Identity of a run: the hash of its resolved case."""
+    return _fingerprint({"case": case, "solver_model": solver_model})
+
+
+def expanded(tiers, name):
+    """A tier with what it does not say itself taken from the tier that it `extends`."""
+    tier = dict(tiers[name])
+    base = tier.pop("extends", None)
+    return merged(expanded(tiers, base), tier) if base else tier
+
+
+class _Planner:
+    """Resolves and names the runs of a tier."""
+
+    def __init__(self, case_schema, solver_model):
+        self.case_schema, self.solver_model = case_schema, solver_model
+
+    def run(self, group, labels, overlay):
+        case = resolved(overlay, self.case_schema)
+        return {"id": run_id(case, self.solver_model), "group": group, "labels": labels, "case": case}
+
+    def bracket(self, name, definition, overlay, static):
+        """Definition of a bracket, with the runs of the plan that lie on its axis as its known points."""
+        axis, ends = definition["axis"], definition.pop("ends")
+        run = self.run("boundary", {"sweep": f"boundary/{definition['series']}", "bracket": name}, overlay)
+        case = run["case"]
+        runs = [run | {"case": at_value(case, axis, end)} for end in ends]
+        runs = [end | {"id": run_id(end["case"], self.solver_model)} for end in runs]
+        section, key = AXES[axis]
+        on_axis = static.get(_fingerprint(off_axis(case, axis)), {})
+        known = on_axis | {end["case"][section][key]: end["id"] for end in runs}
+        known = {value: run for value, run in known.items() if ends[0] <= value <= ends[1]}
+        confirm = {
+            label: resolved(merged(overlay, part), self.case_schema)
+            for label, part in definition["confirm"].items()
+        }
+        whole = definition | {"name": name, "case": case, "confirm": confirm, "known": sorted(known.items())}
+        return whole | {"identity": _fingerprint(whole | {"solver_model": self.solver_model})}, runs
+
+
+def _fingerprint(value):
+    """The first 12 hexadecimal digits of the hash of a JSON value."""
+    text = json.dumps(value, sort_keys=True, separators=(",", ":"))
     return hashlib.sha256(text.encode()).hexdigest()[:12]
 
 
-def _streamlines(tier):
-    part = tier["streamlines"]
-    for name, variant in part["variants"].items():
-        for shift in variant.get("row_shifts_um", part["row_shifts_um"]):
-            shifted = {"scene": "streamlines", "geometry": {"row_shift_um": shift}}
-            labels = {"variant": name, "row_shift_um": shift}
-            yield "streamlines", labels, merged(part["case"], variant["case"], shifted)
-
-
-def _stokes(tier):
-    part = tier["stokes"]
-    for shift, force in product(part["row_shifts_um"], part["force_densities"]):
-        point = {"geometry": {"row_shift_um": shift}, "fluid": {"force_density": force}}
-        labels = {"row_shift_um": shift, "force_density": force}
-        yield "stokes", labels, merged(part["case"], point, {"scene": "streamlines"})
-
-
-def _stretching(tier):
-    for name, part in tier["stretching"].items():
-        for denominator in part["skalak_denominators"]:
-            point = {"scene": "stretching", "cell": {"skalak_denominator": denominator}}
-            yield "stretching", {"series": name}, merged(part["case"], point)
-
-
-def _passages(tier):
-    for name, part in tier["passages"].items():
-        for shift, capillary in product(part["row_shifts_um"], part["capillary_numbers"]):
-            point = {"geometry": {"row_shift_um": shift}, "cell": {"capillary_number": capillary}}
-            yield "passages", {"sweep": name}, merged(part["case"], point, {"scene": "passage"})
-
-
 def make_plan(study, tier_name, case_schema):
-    """The plan of a tier: its settings and the list of its runs (id, group, labels, resolved case)."""
+    """The plan of a tier: its settings, its runs (id, group, labels, resolved case) and its brackets."""
     if tier_name not in study["tiers"]:
         raise ValueError(f"there is no tier '{tier_name}'; the tiers are {', '.join(sorted(study['tiers']))}")
-    tier = study["tiers"][tier_name]
-    runs = []
-    for points in (_streamlines, _stokes, _stretching, _passages):
-        for group, labels, case in points(tier):
-            full = resolved(case, case_schema)
-            runs.append(
-                {"id": run_id(full, study["solver_model"]), "group": group, "labels": labels, "case": full}
-            )
+    tier = expanded(study["tiers"], tier_name)
+    planner = _Planner(case_schema, study["solver_model"])
+    sources = (points.streamlines, points.stokes, points.stretching, points.passages, points.sensitivity)
+    runs = [planner.run(*point) for source in sources for point in source(tier)]
+    passages = [run for run in runs if run["case"]["scene"] == "passage"]
+    static = {axis: _by_line(passages, axis) for axis in AXES}
+    brackets = {}
+    for source in (points.boundary_brackets, points.sensitivity_brackets):
+        for name, definition, overlay in source(tier):
+            found = planner.bracket(name, definition, overlay, static[definition["axis"]])
+            brackets[name] = found[0]
+            runs += found[1]
     return {
         "tier": tier_name,
         "note": tier["note"],
+        "solver_model": study["solver_model"],
         "refinement": tier["streamlines"]["refinement"],
+        "extrapolated": tier["boundary"]["extrapolated"],
+        "sensitivity": tier["sensitivity"],
         "figures": tier["figures"],
+        "brackets": brackets,
         "runs": runs,
     }
+
+
+def _by_line(passages, axis):
+    """Runs by the line along the axis on which they lie: {line: {value: id}}."""
+    section, key = AXES[axis]
+    lines = {}
+    for run in passages:
+        line = lines.setdefault(_fingerprint(off_axis(run["case"], axis)), {})
+        if key in run["case"][section]:
+            line[run["case"][section][key]] = run["id"]
+    return lines
 
 
 def load_plan(study_path, tier_name):

@@ -65,3 +65,18 @@ def load_runs(plan_path, folder, group):
     """The runs of one group of a plan."""
     plan = read_json(plan_path)
     return [Run(folder=Path(folder) / run["id"], **run) for run in plan["runs"] if run["group"] == group]
+
+
+def bracket_runs(plan_path, brackets, folder):
+    """Every run of the final state of every bracket, labelled as sweep boundary/<series>."""
+    for name, definition in read_json(plan_path)["brackets"].items():
+        state = read_json(Path(brackets) / name / f"level-{definition['levels']}.json")
+        labels = {"sweep": f"boundary/{definition['series']}"}
+        for point in state["points"]:
+            place = Path(folder) / point["run"]
+            yield Run(point["run"], "boundary", labels, read_json(place / "case.json"), place)
+
+
+def passage_runs(plan_path, brackets, folder):
+    """All passages of the study: those of the sweeps and those of the brackets."""
+    return [*load_runs(plan_path, folder, "passages"), *bracket_runs(plan_path, brackets, folder)]

@@ -6,12 +6,11 @@ from pathlib import Path
 import pandas as pd
 
 
-def table_arguments(description):
-    """The command line of a program that turns the runs of a plan into one table."""
+def table_arguments(description, *others):
+    """The command line of a program that turns the runs of a plan into one table; `others`: further files."""
     parser = argparse.ArgumentParser(description=description)
-    parser.add_argument("--plan", required=True)
-    parser.add_argument("--runs", required=True)
-    parser.add_argument("--output", required=True)
+    for name in ("plan", "runs", "output", *others):
+        parser.add_argument(f"--{name}", required=True)
     return parser.parse_args()
 
 

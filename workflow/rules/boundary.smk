@@ -1,0 +1,175 @@
+"""The boundary between displaced and zigzag: brackets that narrow by three-section.
+
+The depth is known, so the levels are unrolled: level 0 collects what the plan already has (both ends of the
+range and the runs of the sweeps with the same settings); each further level runs the two inner thirds, whose
+values stand in the state before, and joins them. A bracket that is done asks for nothing: its further levels
+run nothing. The runs of a level go to the same folders as all others and are shared with them.
+"""
+
+BRACKETS = f"{RESULTS}/brackets"
+SIDES = ["low", "high"]
+BRACKET_FILES = [
+    f"{BRACKETS}/{name}/level-{bracket['levels']}.json" for name, bracket in PLAN["brackets"].items()
+]
+CONFIRMATION_FILES = [
+    f"{BRACKETS}/{name}/confirm-{label}-{side}.json"
+    for name, bracket in PLAN["brackets"].items()
+    for label in bracket["confirm"]
+    for side in SIDES
+]
+BOUNDARY_TABLES = expand(
+    "{folder}/{name}.csv",
+    folder=TABLES,
+    name=["phase_boundary", "boundary_points", "boundary_confirmation", "critical_row_shift", "fits"],
+)
+BRACKET_CODE = ["workflow/study/brackets.py"]  # the rest of the package does not change a bracket
+
+
+def bracket_identity(wildcards):
+    """Identity of a bracket's definition: a changed definition begins it anew."""
+    return PLAN["brackets"][wildcards.bracket]["identity"]
+
+
+def known_runs(wildcards):
+    """Summaries of the runs of the plan that lie on a bracket's axis."""
+    return [f"{RUNS}/{run}/summary.json" for _, run in PLAN["brackets"][wildcards.bracket]["known"]]
+
+
+def state_before(wildcards):
+    """The state of the bracket that a level starts from."""
+    return f"{BRACKETS}/{wildcards.bracket}/level-{int(wildcards.level) - 1}.json"
+
+
+def final_state(wildcards):
+    """The last state of a bracket."""
+    return f"{BRACKETS}/{wildcards.bracket}/level-{PLAN['brackets'][wildcards.bracket]['levels']}.json"
+
+
+rule bracket_start:
+    input:
+        plan=ancient(rules.plan.output[0]),
+        runs=known_runs,
+        script=f"{SCRIPTS}/bracket_start.py",
+        code=BRACKET_CODE,
+    output:
+        f"{BRACKETS}/{{bracket}}/level-0.json",
+    log:
+        f"{LOGS}/brackets/{{bracket}}/level-0.log",
+    params:
+        runs=RUNS,
+        identity=bracket_identity,
+    shell:
+        """
+        python {input.script} --plan {input.plan} --name {wildcards.bracket} --runs {params.runs} \
+            --output {output} 2> {log}
+        """
+
+
+rule bracket_point:
+    input:
+        plan=ancient(rules.plan.output[0]),
+        bracket=state_before,
+        dld=ancient(DLD),
+        runner=ancient(f"{SCRIPTS}/run_case"),
+        script=ancient(f"{SCRIPTS}/bracket_point.py"),
+    output:
+        f"{BRACKETS}/{{bracket}}/level-{{level}}-{{side}}.json",
+    wildcard_constraints:
+        level="[1-9]",
+        side="low|high",
+    log:
+        f"{LOGS}/brackets/{{bracket}}/level-{{level}}-{{side}}.log",
+    params:
+        runs=RUNS,
+    threads: 1
+    shell:
+        """
+        python {input.script} --plan {input.plan} --bracket {input.bracket} --side {wildcards.side} \
+            --runs {params.runs} --dld {input.dld} --runner {input.runner} --output {output} 2> {log}
+        """
+
+
+rule bracket_narrow:
+    input:
+        plan=ancient(rules.plan.output[0]),
+        bracket=state_before,
+        points=[f"{BRACKETS}/{{bracket}}/level-{{level}}-{side}.json" for side in SIDES],
+        script=f"{SCRIPTS}/bracket_narrow.py",
+        code=BRACKET_CODE,
+    output:
+        f"{BRACKETS}/{{bracket}}/level-{{level}}.json",
+    wildcard_constraints:
+        level="[1-9]",
+    log:
+        f"{LOGS}/brackets/{{bracket}}/level-{{level}}.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --bracket {input.bracket} --points {input.points} \
+            --output {output} 2> {log}
+        """
+
+
+rule bracket_confirm:
+    input:
+        plan=ancient(rules.plan.output[0]),
+        bracket=final_state,
+        dld=ancient(DLD),
+        runner=ancient(f"{SCRIPTS}/run_case"),
+        script=ancient(f"{SCRIPTS}/bracket_point.py"),
+    output:
+        f"{BRACKETS}/{{bracket}}/confirm-{{label}}-{{side}}.json",
+    wildcard_constraints:
+        label="[a-z0-9.-]+",
+        side="low|high",
+    log:
+        f"{LOGS}/brackets/{{bracket}}/confirm-{{label}}-{{side}}.log",
+    params:
+        runs=RUNS,
+    threads: 1
+    shell:
+        """
+        python {input.script} --plan {input.plan} --bracket {input.bracket} --side {wildcards.side} \
+            --confirm {wildcards.label} --runs {params.runs} --dld {input.dld} --runner {input.runner} \
+            --output {output} 2> {log}
+        """
+
+
+rule boundary_tables:
+    input:
+        plan=rules.plan.output,
+        brackets=BRACKET_FILES + CONFIRMATION_FILES,
+        script=f"{SCRIPTS}/boundary_tables.py",
+        package=PACKAGE,
+    output:
+        boundary=f"{TABLES}/phase_boundary.csv",
+        points=f"{TABLES}/boundary_points.csv",
+        confirmation=f"{TABLES}/boundary_confirmation.csv",
+        row_shifts=f"{TABLES}/critical_row_shift.csv",
+    log:
+        f"{LOGS}/boundary_tables.log",
+    params:
+        brackets=BRACKETS,
+    shell:
+        """
+        python {input.script} --plan {input.plan} --brackets {params.brackets} --boundary {output.boundary} \
+            --points {output.points} --confirmation {output.confirmation} --row-shifts {output.row_shifts} \
+            2> {log}
+        """
+
+
+rule boundary_fits:
+    input:
+        table=rules.boundary_tables.output.boundary,
+        separation=rules.separation_law_fits.output,
+        claims=CLAIMS,
+        script=f"{SCRIPTS}/boundary_fits.py",
+        package=PACKAGE,
+    output:
+        f"{TABLES}/fits.csv",
+    log:
+        f"{LOGS}/boundary_fits.log",
+    shell:
+        """
+        python {input.script} --table {input.table} --separation {input.separation} --claims {input.claims} \
+            --output {output} 2> {log}
+        """

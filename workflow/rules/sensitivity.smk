@@ -1,0 +1,45 @@
+"""What decides the boundary: the choices on which the paper is silent, one at a time and in pairs; and the
+measured times."""
+
+SENSITIVITY_TABLES = expand("{folder}/{name}.csv", folder=TABLES, name=["sensitivity", "stage_times"])
+
+
+rule sensitivity_table:
+    input:
+        plan=rules.plan.output,
+        runs=of_runs("summary.json", "sensitivity", "sensitivity-flow") + of_runs("run.h5", "sensitivity"),
+        boundary=rules.boundary_tables.output.boundary,
+        script=f"{SCRIPTS}/sensitivity_table.py",
+        package=PACKAGE,
+    output:
+        f"{TABLES}/sensitivity.csv",
+    log:
+        f"{LOGS}/sensitivity_table.log",
+    params:
+        runs=RUNS,
+    shell:
+        """
+        python {input.script} --plan {input.plan} --runs {params.runs} --boundary {input.boundary} \
+            --output {output} 2> {log}
+        """
+
+
+rule stage_times:
+    input:
+        plan=rules.plan.output,
+        runs=ALL_RUNS,
+        brackets=BRACKET_FILES + CONFIRMATION_FILES,
+        script=f"{SCRIPTS}/stage_times.py",
+        package=PACKAGE,
+    output:
+        f"{TABLES}/stage_times.csv",
+    log:
+        f"{LOGS}/stage_times.log",
+    params:
+        runs=RUNS,
+        brackets=BRACKETS,
+    shell:
+        """
+        python {input.script} --plan {input.plan} --runs {params.runs} --brackets {params.brackets} \
+            --output {output} 2> {log}
+        """

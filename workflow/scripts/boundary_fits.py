@@ -1,0 +1,50 @@
+"""Fits d = a + b exp(-c Ca) to the boundary of every series, of its limit and of the paper's own statements,
+and joins them to the fits of the separation law."""
+
+import argparse
+
+import numpy as np
+import pandas as pd
+from study.boundary import PARAMETERS, fit_boundary
+from study.claims import load_claims
+from study.tables import read_table, write_table
+
+COLUMNS = ["name", "parameter", "value", "std_error", "low", "high", "paper_value"]
+
+
+def fit_rows(name, shifts, low, high, paper):
+    """Rows of one fit; none with too few brackets."""
+    found = fit_boundary(shifts, low, high)
+    if found is None:
+        return
+    *columns, scatter = found
+    for parameter, value, error, lowest, highest in zip(PARAMETERS, *columns, strict=True):
+        row = {"name": name, "parameter": parameter, "value": value, "std_error": error}
+        yield row | {"low": lowest, "high": highest, "paper_value": paper[parameter]}
+    yield {"name": name, "parameter": "scatter_um", "value": scatter}
+
+
+def statements(claim):
+    """The paper's statements on the class as brackets: arrays of row shift, displaced up to, zigzag from."""
+    rows = [[s["row_shift_um"], s["displaced_to"], s["zigzag_from"]] for s in claim["statements"]]
+    return np.array(rows, dtype=float).T
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    for name in ("--table", "--separation", "--claims", "--output"):
+        parser.add_argument(name, required=True)
+    arguments = parser.parse_args()
+    claim = load_claims(arguments.claims)["phase-boundary"]
+    rows = read_table(arguments.separation).to_dict("records")
+    for series, group in read_table(arguments.table).groupby("series"):
+        group = group[group.ca_displaced.notna() | group.ca_zigzag.notna()]
+        brackets = group[["row_shift_um", "ca_displaced", "ca_zigzag"]].to_numpy(float).T
+        rows += fit_rows(f"boundary/{series}", *brackets, claim["value"])
+    rows += fit_rows("boundary/paper-text", *statements(claim), claim["value"])
+    styles = dict.fromkeys(COLUMNS[2:6], ".4f")
+    table = pd.DataFrame(rows, columns=COLUMNS)
+    write_table(table.to_dict("records"), COLUMNS, arguments.output, ["name", "parameter"], styles)
+
+
+main()

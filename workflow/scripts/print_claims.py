@@ -1,0 +1,14 @@
+"""Prints the verdicts: one line for each claim with what was measured."""
+
+import sys
+import textwrap
+
+import pandas as pd
+
+table = pd.read_csv(sys.argv[1], keep_default_na=False)
+width = table.id.str.len().max()
+for row in table.itertuples():
+    text = row.measured or row.note
+    print(f"{row.id:{width}}  {row.verdict:14}  {textwrap.shorten(text, 100, placeholder=' ...')}")
+count = table.verdict.value_counts()
+print(", ".join(f"{count.get(name, 0)} {name}" for name in ("REPRODUCED", "NOT REPRODUCED", "NOT RUN")))

@@ -1,0 +1,125 @@
+"""The boundary of the phase space from brackets: its limit at vanishing lattice spacing and the law
+d = a + b exp(-c Ca)."""
+
+import math
+
+import numpy as np
+from scipy.optimize import minimize
+from scipy.special import ndtr
+
+from study.fits import observed_order
+
+PARAMETERS = ("offset_um", "amplitude_um", "rate")
+#: Smallest scatter of row shifts about the law that is believed, um: a twentieth of the paper's lattice.
+SMALLEST_SCATTER_UM = 0.02
+SEED, SAMPLES = 20141, 200
+
+
+def _weights(spacings, order):
+    """Weights of the values on two lattices, coarse and fine, in the limit h -> 0 of a h^order."""
+    gain = 1 / ((spacings[0] / spacings[1]) ** order - 1)
+    return -gain, 1 + gain
+
+
+def extrapolated_interval(spacings, intervals):
+    """(low, high, observed order or None) of the limit at vanishing lattice spacing, by interval arithmetic.
+
+    Linear in the spacing between the two finest lattices; with three, of the order that the middles of the
+    intervals show (physics: the error of the film is of first order). `intervals` are logarithms.
+    """
+    order = np.argsort(spacings)[::-1]
+    h, ends = np.asarray(spacings, float)[order], np.asarray(intervals, float)[order]
+    observed = observed_order(h[-3:], ends[-3:].mean(axis=1)) if len(h) >= 3 else None
+    coarse, fine = _weights(h[-2:], observed or 1.0)
+    low = fine * ends[-1, 0] + coarse * ends[-2, 1]
+    high = fine * ends[-1, 1] + coarse * ends[-2, 0]
+    return float(low), float(high), observed
+
+
+def extrapolated_rows(name, series, rows):
+    """Rows `extrapolated` of the table of the boundary, for the row shifts that all series have."""
+    members = [{row["row_shift_um"]: row for row in rows if row["series"] == one} for one in series]
+    shared = sorted(set.intersection(*(set(member) for member in members)))
+    for shift in shared:
+        found = [member[shift] for member in members]
+        finest = min(found, key=lambda row: row["dx_um"])
+        row = {"dx_um": "extrapolated", "row_shift_um": shift, "series": name, "status": finest["status"]}
+        row |= {key: finest[key] for key in ("lateral_flow",)}
+        row |= {"settings": " + ".join(series), "runs": " ".join(one["runs"] for one in found)}
+        row |= {key: sum(one[key] for one in found) for key in ("undecided_inside", "contradictions")}
+        closed = all(one["ca_displaced"] and one["ca_zigzag"] for one in found)
+        if closed:
+            intervals = [[math.log(one["ca_displaced"]), math.log(one["ca_zigzag"])] for one in found]
+            low, high, observed = extrapolated_interval([one["dx_um"] for one in found], intervals)
+            row |= {"ca_displaced": math.exp(low), "ca_zigzag": math.exp(high), "observed_order": observed}
+            row["status"] = "open" if any(one["status"] == "open" for one in found) else "bracketed"
+        elif len({one["status"] for one in found}) == 1 and finest["status"].startswith("all"):
+            row |= {key: finest[key] for key in ("ca_displaced", "ca_zigzag")}
+        else:
+            row["status"] = "open"  # the boundary leaves the range on one of the lattices
+        yield row
+
+
+def law(parameters, capillary):
+    """Row shift of the boundary, um: a + b exp(-c Ca)."""
+    offset, amplitude, rate = parameters
+    return offset + amplitude * np.exp(-rate * capillary)
+
+
+def _negative_log_likelihood(vector, shifts, low, high):
+    """-ln L of the brackets.
+
+    The row shift at which a cell changes its class is law(Ca) + noise, normal with the scatter sigma; at row
+    shift d it was displaced at Ca = low and zigzag at Ca = high (NaN: never seen).
+    """
+    offset, amplitude, rate = vector[0], math.exp(vector[1]), math.exp(vector[2])
+    sigma = SMALLEST_SCATTER_UM + math.exp(vector[3])
+    parameters = (offset, amplitude, rate)
+    upper = np.where(np.isnan(low), np.inf, (law(parameters, np.nan_to_num(low)) - shifts) / sigma)
+    lower = np.where(np.isnan(high), -np.inf, (law(parameters, np.nan_to_num(high)) - shifts) / sigma)
+    # The probability between two points of the normal distribution, from the tail where it is not cancelled.
+    flip = lower > 0
+    a, b = np.where(flip, -upper, lower), np.where(flip, -lower, upper)
+    chance = ndtr(b) - ndtr(a)
+    far = 0.5 * np.minimum(np.abs(upper), np.abs(lower)) ** 2  # keeps a slope where the chance underflows
+    return float(np.sum(np.where(chance > 1e-300, -np.log(np.maximum(chance, 1e-300)), 690 + far)))
+
+
+def _maximum_likelihood(shifts, low, high, start):
+    """(offset, ln amplitude, ln rate, ln(scatter - smallest)) of the largest likelihood, from a start."""
+    options = {"xatol": 1e-5, "fatol": 1e-7, "maxiter": 4000, "maxfev": 4000}
+    given = (shifts, low, high)
+    return minimize(_negative_log_likelihood, start, given, method="Nelder-Mead", options=options).x
+
+
+def _closed(low, high):
+    return ~np.isnan(low) & ~np.isnan(high)
+
+
+def fit_boundary(shifts, low, high):
+    """Interval-censored maximum likelihood of d = a + b exp(-c Ca) through brackets [low, high] of Ca at row
+    shifts d (um); NaN: no displaced (zigzag) point. Returns (values, standard errors, 2.5 %, 97.5 %,
+    scatter).
+
+    The uncertainty is a bootstrap over the brackets. None with fewer than four closed brackets.
+    """
+    shifts, low, high = (np.asarray(array, float) for array in (shifts, low, high))
+    if _closed(low, high).sum() < 4:
+        return None
+    start = np.array([shifts.min() - 0.5, math.log(5.0), math.log(1.5), math.log(0.2)])
+    best = _maximum_likelihood(shifts, low, high, start)
+    best = _maximum_likelihood(shifts, low, high, best)  # a fresh simplex leaves a stalled one
+
+    def values(vector):
+        return np.array([vector[0], math.exp(vector[1]), math.exp(vector[2])])
+
+    random, samples = np.random.default_rng(SEED), []
+    while len(samples) < SAMPLES:
+        pick = random.integers(len(shifts), size=len(shifts))
+        closed = pick[_closed(low[pick], high[pick])]
+        if len(set(closed)) >= 4:
+            samples.append(values(_maximum_likelihood(shifts[pick], low[pick], high[pick], best)))
+    samples = np.array(samples)
+    ends = np.percentile(samples, [2.5, 97.5], axis=0)
+    scatter = SMALLEST_SCATTER_UM + math.exp(best[3])
+    return values(best), samples.std(axis=0, ddof=1), ends[0], ends[1], scatter

@@ -1,0 +1,199 @@
+"""Checks of the claims on the flow without cells, on units and on the optical tweezer."""
+
+import math
+
+import numpy as np
+
+from study.claims import Finding, at_paper_lattice, check, ranged, runs_of
+from study.fits import chi_squared
+
+
+def flow_rows(tables, variant="paper"):
+    """Converged rows of a variant of the flow; none in tiers where `paper` is not at the paper's lattice."""
+    table = tables["streamline_separation"]
+    rows = table[table.status == "converged"]
+    paper = at_paper_lattice(rows[rows.variant == "paper"])
+    return rows[rows.variant == variant] if len(paper) else paper
+
+
+def pair_runs(rows):
+    """Runs behind rows of the Stokes checks."""
+    return tuple(run for cell in rows.runs.dropna() for run in cell.split()) if "runs" in rows else ()
+
+
+@check("stokes-linear")
+def stokes_linear(tables, claim, _):
+    rows = at_paper_lattice(tables["stokes_checks"])
+    if len(rows) < 3:
+        return None
+    changes = rows.relative_change.abs()
+    growing = (rows.relative_change > 0).sum()
+    note = f"an increase at {growing} of {len(rows)} row shifts, else a decrease; the text says increase"
+    return Finding(
+        bool(changes.max() < claim["value"]), ranged(changes, ".1e"), note, "1e-9", pair_runs(rows)
+    )
+
+
+@check("stokes-mirror")
+def stokes_mirror(tables, claim, _):
+    rows = at_paper_lattice(tables["stokes_checks"])
+    if len(rows) < 3:
+        return None
+    worst = rows.reversal_max_high.max()
+    shift = (rows.s_um_high - rows.s_upper_um_high).abs().max()
+    note = f"upstream and downstream separatrix differ by {shift:.3f} um at most"
+    return Finding(
+        bool(worst < claim["tolerance"]), f"{worst:.1e} of the largest speed", note, runs=pair_runs(rows)
+    )
+
+
+@check("reynolds")
+def reynolds(tables, claim, _):
+    rows = flow_rows(tables)
+    if rows.empty:
+        return None
+    value, slit = rows.reynolds_number.mean(), rows.reynolds_number_slit.mean()
+    note = f"slit without pillars {slit:.2f}, superficial mean {rows.reynolds_number_superficial.mean():.2f}"
+    return Finding(
+        abs(value - claim["value"]) <= claim["tolerance"],
+        f"{value:.3f} (fluid mean)",
+        note,
+        runs=runs_of(rows),
+    )
+
+
+@check("resistance")
+def resistance(tables, claim, _):
+    rows = flow_rows(tables)
+    values = rows.resistance_Pa_s_per_m2
+    if len(values) < 8:
+        return None
+    mean = values.mean()
+    spread = (values / mean - 1).abs().max()
+    good = abs(mean - claim["value"]["mean"]) <= claim["tolerance"]["mean"]
+    refined = flow_rows(tables, "refined")
+    note = f"refined: {refined.resistance_Pa_s_per_m2.mean():.3e}" if len(refined) else ""
+    text = f"{mean:.3e}, same to {100 * spread:.2f} %"
+    error = abs(mean - refined.resistance_Pa_s_per_m2.mean()) if len(refined) else math.nan
+    good = bool(good and spread <= claim["tolerance"]["spread"])
+    return Finding(good, text, note, f"{error:.1e} (lattice)", runs_of(rows))
+
+
+@check("device-pressure")
+def device_pressure(tables, claim, _):
+    rows = flow_rows(tables)
+    if rows.empty:
+        return None
+    pressure = rows.resistance_Pa_s_per_m2.mean() * 1e-3 * 30e-3 / 1e5
+    return Finding(
+        bool(abs(pressure - claim["value"]) <= claim["tolerance"]), f"{pressure:.3f} bar", runs=runs_of(rows)
+    )
+
+
+@check("table-1")
+def table_1(tables, claim, _):
+    def found(variant):
+        rows = flow_rows(tables, variant)
+        return {f"{d:.1f}": s for d, s in zip(rows.row_shift_um, rows.s_um, strict=True)}
+
+    printed, measured = claim["value"], found("paper")
+    if set(printed) - set(measured):
+        return None
+
+    def listed(values):
+        return ", ".join(f"{values[d]:.2f}" for d in printed if d in values)
+
+    worst = max(abs(measured[d] - printed[d]) for d in printed)
+    note = f"accurate: {listed(found('accurate'))}; refined: {listed(found('refined'))}"
+    errors = flow_rows(tables, "refined").s_uncertainty_um.dropna()
+    error = f"refined: +- {errors.max():.3f}" if len(errors) else ""
+    text = f"{listed(measured)}; off by {worst:.2f} at most"
+    return Finding(worst <= claim["tolerance"], text, note, error, runs_of(flow_rows(tables)))
+
+
+@check("separation-law")
+def separation_law(tables, claim, _):
+    if len(flow_rows(tables)) < 8:
+        return None
+    fits = tables["fits"].set_index(["name", "parameter"])
+
+    def law(variant):
+        return {key: fits.loc[(f"separation-law/{variant}", key)] for key in claim["value"]}
+
+    def text(found):
+        return ", ".join(f"{key} = {row.value:.3f} +- {row.std_error:.3f}" for key, row in found.items())
+
+    measured = law("paper")
+    good = all(
+        abs(row.value - claim["value"][key]) <= claim["tolerance"][key] for key, row in measured.items()
+    )
+    others = [
+        name
+        for name in ("accurate", "refined", "printed-table")
+        if (f"separation-law/{name}", "B") in fits.index
+    ]
+    note = "; ".join(f"{name}: {text(law(name))}" for name in others)
+    intervals = [
+        f"{key}: {row.low:.3f} ... {row.high:.3f}" for key, row in measured.items() if row.low == row.low
+    ]
+    error = "95 %: " + ", ".join(intervals) if intervals else ""
+    return Finding(bool(good), text(measured), note, error, runs_of(flow_rows(tables)))
+
+
+@check("unit-conversion")
+def unit_conversion(tables, claim, _):
+    if flow_rows(tables).empty:
+        return None
+    table, worst, measured = tables["units"], 0.0, []
+    for key in ("pressure_gradient_bar_per_m", "mean_velocity_mm_per_s"):
+        rows = table[table.source == "l = sqrt(G H), resistance of paper"].sort_values("capillary_number")
+        worst = max(worst, *np.abs(rows[key].to_numpy() / np.array(claim["value"][key]) - 1))
+        measured.append(ranged(rows[key], ".3f"))
+    text = f"p' = {measured[0]} bar/m, u = {measured[1]} mm/s"
+    note = (
+        "l = H instead of sqrt(G H) nearly gives the printed p'; the printed p' and u agree with each other"
+    )
+    return Finding(bool(worst <= claim["tolerance"]), text, note, runs=runs_of(flow_rows(tables)))
+
+
+@check("cell-area")
+def cell_area(tables, claim, _):
+    rows = tables["stretching"]
+    rows = rows[(rows.mesh_frequency == 10) & rows.area_over_radius_squared.notna()]
+    if rows.empty:
+        return None
+    area = rows.area_over_radius_squared.iloc[0]
+    good = bool(abs(area - claim["value"]) <= claim["tolerance"])
+    return Finding(good, f"{area:.4f}", "continuum 8.771", "rounding", runs_of(rows.head(1)))
+
+
+@check("tweezer")
+def tweezer(tables, claim, experiment):
+    table = tables["stretching"]
+    table = table[(table.method == "static") & (table.mesh_frequency == 10) & (table.status == "converged")]
+    points = experiment[
+        (experiment.set == "SURESH2005_FIG7") & (experiment.F_pN > 0) & (experiment.F_pN <= 100)
+    ]
+
+    def deviations(curve):
+        for simulated, value, error in (
+            ("axial_um", "DA_um", "DA_err_um"),
+            ("transverse_um", "DT_um", "DT_err_um"),
+        ):
+            force, length = curve.force_pN.to_numpy(), curve[simulated].to_numpy()
+            yield max(
+                chi_squared(force, length, [p]) ** 0.5 for p in points[["F_pN", value, error]].to_numpy()
+            )
+
+    found = {k: tuple(deviations(curve)) for k, curve in table.groupby("skalak_denominator")}
+    if 12 not in found:
+        return None
+    axial, transverse = found[12]
+    note = "; ".join(f"k = {k:g}: {a:.1f}, {t:.1f}" for k, (a, t) in found.items() if k != 12)
+    text = f"axial {axial:.2f}, transverse {transverse:.2f} error bars off at most"
+    return Finding(
+        bool(max(axial, transverse) <= claim["tolerance"]),
+        text,
+        f"other denominators: {note}",
+        runs=runs_of(table),
+    )
