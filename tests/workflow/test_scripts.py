@@ -10,7 +10,7 @@ EXPECTED = {
     "fits": "name parameter value std_error paper_value",
     "phase_boundary": "dx_um row_shift_um ca_displaced ca_zigzag status lateral_flow settings series runs",
     "critical_row_shift": "series dx_um capillary_number d_displaced_um d_zigzag_um status runs",
-    "boundary_confirmation": "series row_shift_um confirmation class_at_displaced class_at_zigzag agrees runs",
+    "boundary_confirmation": "series row_shift_um confirmation class_at_displaced agrees runs",
     "boundary_points": "series dx_um row_shift_um capillary_number class run",
     "crossings": "sweep dx_um row_shift_um capillary_number row gap_position_um bump d_perp_um film_um run",
     "return_maps": "sweep row_shift_um capillary_number row gap_position_um next_gap_position_um bump",
