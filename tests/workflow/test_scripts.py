@@ -1,5 +1,9 @@
 """The scripts on made-up runs of both tiers: columns, fits, labels, verdicts, figures with the same bytes."""
 
+import shutil
+import subprocess
+import sys
+
 import pandas as pd
 import pytest
 
@@ -106,6 +110,50 @@ def test_verdicts(tables, results, call, root):
         assert verdict["eps-11-soft-zigzag"] == "NOT REPRODUCED"  # the made-up boundary is at Ca = 0.83
         assert set(verdict) == {"REPRODUCED", "NOT REPRODUCED"}
         assert verdict["unit-conversion"] == "NOT REPRODUCED"
+
+
+def test_a_claim_without_its_runs_is_an_error_of_the_whole_study_alone(tables, results, root, tmp_path):
+    if "paper" not in results.name:
+        pytest.skip("on the tables of the paper tier")
+    folder = tmp_path / "tables"
+    shutil.copytree(results / "tables", folder)
+    rows = tables["passages"]
+    rows[rows.row_shift_um != 5.2].to_csv(folder / "passages.csv", index=False)
+    words = ["--claims", root / "params/claims.json", "--tables", folder, "--tier", "paper"]
+    words += ["--experiment", root / EXPERIMENT, "--csv", tmp_path / "c.csv", "--markdown", tmp_path / "c.md"]
+    command = [sys.executable, root / "workflow/scripts/claims_table.py", *words]
+    environment = {"PYTHONPATH": str(root / "workflow"), "PATH": "/usr/bin:/bin"}
+    whole = subprocess.run(
+        [*command, "--whole"], capture_output=True, text=True, env=environment, check=False
+    )
+    assert whole.returncode == 1
+    assert "runs are missing for the claims eps-13-zigzag" in whole.stderr
+    verdict = pd.read_csv(tmp_path / "c.csv").set_index("id").verdict
+    assert verdict["eps-13-zigzag"] == "NOT RUN"
+    assert subprocess.run(command, env=environment, check=False).returncode == 0
+
+
+def test_the_boundary_of_the_made_up_cells_is_found_again(tables, results):
+    if "paper" not in results.name:
+        pytest.skip("the smoke tier has too few brackets")
+    fits = tables["fits"].set_index(["name", "parameter"])
+    for series, offset in (("lattice-0.4", 3.1), ("lattice-0.2", 3.0), ("extrapolated", 2.9)):
+        rows = fits.loc[f"boundary/{series}"]
+        assert rows.value["offset_um"] == pytest.approx(offset, abs=0.15)
+        assert rows.value["rate"] == pytest.approx(1.72, abs=0.15)
+    boundary = tables["phase_boundary"].set_index(["series", "row_shift_um"])
+    assert boundary.loc[("lattice-0.4", 2.0)].status == "all-displaced"
+    assert boundary.loc[("lattice-0.4", 8.8)].status == "all-zigzag"
+
+
+def test_the_sensitivity_study_states_every_choice_and_its_change(tables, results, study):
+    rows = tables["sensitivity"]
+    tier = study["tiers"]["paper" if "paper" in results.name else "smoke"]
+    assert set(tier["sensitivity"]["choices"]) <= set(rows.choice)
+    softer = rows[(rows.choice == "skalak_denominator") & rows.observable.str.startswith("critical_ca")]
+    assert len(softer) and (softer.change.dropna() > 0).all()  # the made-up boundary moves up
+    factor = rows[(rows.choice == "capillary_factor") & rows.observable.str.startswith("critical_ca")]
+    assert factor.relative_change.to_numpy() == pytest.approx(1 / 1.6 - 1, abs=1e-3)
 
 
 def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, root):
