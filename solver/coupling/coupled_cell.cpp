@@ -61,7 +61,9 @@ template <class Real>
 void CoupledCell<Real>::move() {
   boundary_.interpolate(velocities_);
   boundary_.clear_force();
-  if (model_.mobility > 0.0) force_difference_velocity(membrane_, forces_, model_.mobility, velocities_);
+  if (model_.mobility > 0.0) {
+    tangential_relaxation(membrane_, forces_, gradient_, model_.mobility, velocities_);
+  }
   if (model_.project_volume) project_volume();
   // A node that crosses a lattice spacing per step, or is nowhere, is left where it is: the monitors see the
   // speed.

@@ -25,8 +25,8 @@ struct CouplingModel {
   double mobility =
       0.0;  ///< wanted for the sub-grid regularisation, velocity / force (see stable_mobility); 0: off
   int steps_per_update = 1;  ///< fluid steps for one update of the membrane
-  /// Distance (lattice spacings) by which the points of spreading and interpolation lie inside the membrane. A
-  /// kernel makes a surface act as if it stood further out by a fixed share of a spacing, an error of first
+  /// Distance (lattice spacings) by which the points of spreading and interpolation lie inside the membrane.
+  /// A kernel makes a surface act as if it stood further out by a fixed share of a spacing, an error of first
   /// order; moving the points in by that share takes it away (Breugem 2012).
   double retraction = 0.0;
   bool project_volume = true;

@@ -57,8 +57,8 @@ template <bool Stokes, class Value>
   using namespace d3q19;
   using Real = Scalar<Value>;
   constexpr Real half = Real(0.5);
-  // Even and odd parts of the pairs take the place of the populations: f[2p+1] = f_a + f_b, f[2p+2] = f_a - f_b.
-  // The sums over opposite pairs are written out by the compiler (c is constant).
+  // Even and odd parts of the pairs take the place of the populations: f[2p+1] = f_a + f_b, f[2p+2] = f_a -
+  // f_b. The sums over opposite pairs are written out by the compiler (c is constant).
   Value deviation = f[0], jx = Real(0), jy = Real(0), jz = Real(0);
 #pragma GCC unroll 9
   for (int p = 0; p < pairs; ++p) {

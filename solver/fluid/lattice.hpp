@@ -109,7 +109,7 @@ class Lattice {
   std::vector<Segment> segments_;
   std::vector<Row> planes_;
   std::array<double, 3> uniform_force_{};
-  Rates<Real> uniform_rates_{};  ///< away from the cell
+  Rates<Real> uniform_rates_{};                ///< away from the cell
   std::vector<std::uint8_t> local_step_done_;  ///< per plane, between the two steps of a pair
   std::size_t fluid_nodes_ = 0;
   bool even_ = true;

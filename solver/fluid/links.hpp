@@ -1,8 +1,8 @@
 #pragma once
-/// Everything that happens where streaming leaves the fluid. Top and bottom walls, the mirror plane and periodic
-/// layers only change the place from which the kernel reads (StreamingPlaces); the rest is a sparse linear map
-/// from populations to populations: half-way and interpolated bounce-back at pillars, shifted periodicity, the
-/// motion of walls. The kernel itself stays free of branches.
+/// Everything that happens where streaming leaves the fluid. Top and bottom walls, the mirror plane and
+/// periodic layers only change the place from which the kernel reads (StreamingPlaces); the rest is a sparse
+/// linear map from populations to populations: half-way and interpolated bounce-back at pillars, shifted
+/// periodicity, the motion of walls. The kernel itself stays free of branches.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,9 +13,9 @@
 
 namespace dld {
 
-/// Places in memory of nodes (x, y, z), -1 <= x <= nx, -1 <= y <= ny, 0 <= z < nz. Fields (force, velocity) have one value
-/// per node; populations stand plane by plane, within a plane direction by direction, so that what a step
-/// touches at a time lies together. Rows run along y and start at multiples of 16.
+/// Places in memory of nodes (x, y, z), -1 <= x <= nx, -1 <= y <= ny, 0 <= z < nz. Fields (force, velocity)
+/// have one value per node; populations stand plane by plane, within a plane direction by direction, so that
+/// what a step touches at a time lies together. Rows run along y and start at multiples of 16.
 struct LatticeLayout {
   int nx = 0, ny = 0, nz = 0;
   std::uint32_t row = 0;  ///< distance of rows along z
@@ -45,11 +45,11 @@ struct LatticeLayout {
 /// Places of the 19 populations of a node relative to its population 0.
 using PlacesOfNode = std::array<std::ptrdiff_t, d3q19::directions>;
 
-/// In-place ("AA", Bailey et al. 2009) scheme: the local step finds f_i of a node in its own place i and leaves
-/// the post-collision f*_i in the place of the opposite direction. The streaming step finds f_i where the
-/// neighbour's local step has left it and leaves f*_-i there, which is its place of arrival. For a node of layer
-/// z that is streaming[z][i]: behind a wall at rest the node's own f*_-i (half-way bounce-back), behind the mirror
-/// plane the mirrored direction of the neighbour that is the image.
+/// In-place ("AA", Bailey et al. 2009) scheme: the local step finds f_i of a node in its own place i and
+/// leaves the post-collision f*_i in the place of the opposite direction. The streaming step finds f_i where
+/// the neighbour's local step has left it and leaves f*_-i there, which is its place of arrival. For a node
+/// of layer z that is streaming[z][i]: behind a wall at rest the node's own f*_-i (half-way bounce-back),
+/// behind the mirror plane the mirrored direction of the neighbour that is the image.
 struct StreamingPlaces {
   PlacesOfNode local;
   std::vector<PlacesOfNode> streaming;
@@ -94,11 +94,11 @@ struct LinkTable {
   std::vector<Addition> additions;
 };
 
-/// Tables of the in-place scheme, one per plane x. `before[x]` fills the places outside the fluid that the streaming step of plane x reads; it needs the local step of the planes x - 1 ..
-/// x + 1 and must run before the streaming step of plane x - 1, which overwrites what interpolated walls look
-/// at. `after[x]` brings home what the streaming step of the planes x - 1 .. x + 1 has written outside the
-/// fluid; it must not run ahead of `before[x + 1]`, nor plane 0 ahead of the last plane, its periodic
-/// neighbour.
+/// Tables of the in-place scheme, one per plane x. `before[x]` fills the places outside the fluid that the
+/// streaming step of plane x reads; it needs the local step of the planes x - 1 .. x + 1 and must run before
+/// the streaming step of plane x - 1, which overwrites what interpolated walls look at. `after[x]` brings
+/// home what the streaming step of the planes x - 1 .. x + 1 has written outside the fluid; it must not run
+/// ahead of `before[x + 1]`, nor plane 0 ahead of the last plane, its periodic neighbour.
 struct LinkTables {
   std::vector<LinkTable> before, after;
 };

@@ -25,8 +25,8 @@ struct FluidParameters {
   double magic_parameter = 0.1875;     ///< Lambda of TRT
   std::string equilibrium = "stokes";  ///< "full" | "stokes" (quadratic terms dropped)
   std::string walls = "interpolated";  ///< pillar surface: "half_way" | "interpolated"
-  double relaxation_time = 1.0;        ///< tau of the suspending fluid; nu = (tau - 1/2) / 3
-  double force_density = 9.36e-5;      ///< along x, lattice units at lattice_spacing_um
+  double relaxation_time = 0.8;        ///< tau of the suspending fluid; nu = (tau - 1/2) / 3
+  double force_density = 2.2464e-4;    ///< along x, lattice units at lattice_spacing_um
   std::string lateral_flow = "free";   ///< "free" | "blocked" (mean u_y held at zero)
 };
 
@@ -55,20 +55,19 @@ struct CellParameters {
 };
 
 struct CouplingParameters {
-  std::string kernel = "phi4";                      ///< "phi2" | "phi3" | "phi4"
-  std::string regularisation = "force_difference";  ///< sub-grid mesh modes: "none" | "force_difference"
-  double regularisation_strength =
-      0.1;  ///< share of the nodal force difference turned into velocity, times 1/(eta dx)
-  double pillar_repulsion = 2.815;  ///< K / (p' l dx^2), force K (1/h^2 - 1/h0^2)
-  double wall_repulsion = 0.0;      ///< the same for the top and bottom walls; 0 switches it off
-  double repulsion_range = 1.0;     ///< h0 in lattice spacings
-  int steps_per_update = 1;         ///< fluid steps for one update of the membrane
-  double retraction = 0.0;          ///< lattice spacings by which the coupling points lie inside the membrane
+  std::string kernel = "phi4";                ///< "phi2" | "phi3" | "phi4"
+  std::string regularisation = "tangential";  ///< sub-grid mesh modes: "none" | "tangential"
+  double regularisation_strength = 0.006;     ///< mobility of tangential force differences, times eta dx
+  double pillar_repulsion = 2.815;            ///< K / (p' l dx^2), force K (1/h^2 - 1/h0^2)
+  double wall_repulsion = 0.0;                ///< the same for the top and bottom walls; 0 switches it off
+  double repulsion_range = 1.0;               ///< h0 in lattice spacings
+  int steps_per_update = 2;                   ///< fluid steps for one update of the membrane
+  double retraction = 0.0;  ///< lattice spacings by which the coupling points lie inside the membrane
 };
 
 struct StopParameters {
   int max_rows = 0;                ///< passage: 0 means ceil(1/epsilon) + 2 beyond the start transient
-  double map_tolerance_um = 0.02;  ///< passage: extrapolated distance to the fixed point of the return map
+  double map_tolerance_um = 0.04;  ///< passage: extrapolated distance to the fixed point of the return map
   double steady_tolerance = 1e-8;  ///< streamlines, channel: relative change of the flow per 100 steps
   long max_steps = 4000000;        ///< a run that reaches this is labelled undecided
 };

@@ -120,8 +120,8 @@ std::vector<Declaration> coupling_and_stop() {
   return {
       {"coupling", "kernel", at<&Case::coupling, &U::kernel>, one_of({"phi2", "phi3", "phi4"}), "",
        "immersed-boundary kernel of 2, 3 or 4 points"},
-      {"coupling", "regularisation", at<&Case::coupling, &U::regularisation>,
-       one_of({"none", "force_difference"}), "", "cure of mesh modes below the lattice spacing"},
+      {"coupling", "regularisation", at<&Case::coupling, &U::regularisation>, one_of({"none", "tangential"}),
+       "", "cure of mesh modes below the lattice spacing"},
       {"coupling", "regularisation_strength", at<&Case::coupling, &U::regularisation_strength>,
        between(0, 100), "1 / (eta dx)", "share of the nodal force difference turned into velocity"},
       {"coupling", "pillar_repulsion", at<&Case::coupling, &U::pillar_repulsion>, between(0, 1e9),

@@ -9,15 +9,24 @@
 namespace dld {
 namespace {
 
-/// Height of the separation streamline at x, or of the middle of the gap where there is none.
-double start_height(double x, double pillar_top, const LatticeParameters& l, const PlaneField& field) {
+/// Half the width (lu) that the cell will have at the pillars: a guess, from the passages at d = 2.0 um. Only
+/// the number of rows until the cell is on its way depends on it.
+double expected_half_width(const Case& c, const LatticeParameters& l) {
+  constexpr double softening = 0.37;
+  return c.cell.shape == "red_blood_cell" ? l.cell_radius / (1.0 + softening * c.cell.capillary_number)
+                                          : l.cell_radius;
+}
+
+/// Height of the separation streamline at x plus `half_width`, or the middle of the gap where there is none.
+double start_height(double x, double pillar_top, double half_width, const LatticeParameters& l,
+                    const PlaneField& field) {
   const double middle = pillar_top + 0.5 * l.gap;
   const PlaneFlow flow = field.flow();
   const Separation separation = separation_downstream(flow);
   if (!separation.found) return middle;
   const Streamline upstream = trace_streamline(flow, separation.seed, -1, x);
   if (upstream.end != StreamlineEnd::line) return middle;
-  return upstream.points(upstream.points.rows() - 1, 1) + l.cell_radius;
+  return upstream.points(upstream.points.rows() - 1, 1) + half_width;
 }
 
 }  // namespace
@@ -41,7 +50,7 @@ Eigen::MatrixX3d start_positions(const Case& c, const Eigen::MatrixX3d& shape, c
   if (start.gap_position_um >= 0.0) {
     centre.y() = top + start.gap_position_um / l.um_per_lu;
   } else {
-    centre.y() = pillars.empty() ? top : start_height(centre.x(), top, l, field);
+    centre.y() = pillars.empty() ? top : start_height(centre.x(), top, expected_half_width(c, l), l, field);
   }
   const double tilt = start.tilt_deg * std::numbers::pi / 180.0;
   Eigen::Matrix3d turn;

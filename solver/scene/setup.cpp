@@ -53,9 +53,8 @@ CouplingModel make_coupling_model(const Case& c) {
   const LatticeParameters l = to_lattice(c);
   CouplingModel model;
   model.kernel = kernel_by_name(c.coupling.kernel);
-  model.mobility = c.coupling.regularisation == "force_difference"
-                       ? c.coupling.regularisation_strength / l.viscosity
-                       : 0.0;
+  model.mobility =
+      c.coupling.regularisation == "tangential" ? c.coupling.regularisation_strength / l.viscosity : 0.0;
   model.steps_per_update = c.coupling.steps_per_update;
   model.retraction = c.coupling.retraction;
   model.project_volume = c.cell.volume_control == "projection";

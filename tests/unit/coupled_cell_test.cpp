@@ -71,7 +71,7 @@ TEST(CoupledCell, ProjectionKeepsTheVolumeInShear) {
     return std::abs(run.volume_change());
   };
   EXPECT_LT(sheared(true), 1e-6);
-  EXPECT_GT(sheared(false), 1e-5);
+  EXPECT_GT(sheared(false), 3e-6);
 }
 
 TEST(CoupledCell, ProjectionRelaxesAVolumeThatIsWrong) {
@@ -160,24 +160,31 @@ TEST(StableMobility, IsTheWantedOneUnlessTheMembraneIsTooStiff) {
   EXPECT_NEAR(stable_mobility(stiff, 1e9), 0.1 * limit, 1e-3 * limit);
 }
 
-/// Relaxation by the force differences alone: stable at the limit, unstable at six times it.
+/// Nodes displaced within the surface go back by the relaxation alone: stable at the limit, unstable at three
+/// times it, which is less than twice the theoretical bound.
 TEST(StableMobility, ExplicitRelaxationIsStableAtTheLimit) {
   Membrane membrane(red_blood_cell(4, 4.6), CellRun::moduli());
   const double limit = stable_mobility(membrane, 1e9);
   const auto energy_after = [&](double mobility) {
-    Eigen::MatrixX3d x = membrane.reference().vertices, f(x.rows(), 3), v(x.rows(), 3);
-    for (Eigen::Index i = 0; i < x.size(); ++i) x(i) += 1e-4 * std::sin(12.9898 * static_cast<double>(i));
+    Eigen::MatrixX3d x = membrane.reference().vertices, f(x.rows(), 3), v(x.rows(), 3), g(x.rows(), 3);
+    membrane.volume_gradient(x, g);
+    for (Eigen::Index i = 0; i < x.rows(); ++i) {
+      const Eigen::RowVector3d n = g.row(i).normalized();
+      const Eigen::RowVector3d d = Eigen::RowVector3d::Random();
+      x.row(i) += 1e-4 * (d - d.dot(n) * n);
+    }
     const double before = membrane.energy(x);
     for (int k = 0; k < 200; ++k) {
       membrane.forces(x, f);
+      membrane.volume_gradient(x, g);
       v.setZero();
-      force_difference_velocity(membrane, f, mobility, v);
+      tangential_relaxation(membrane, f, g, mobility, v);
       x += v;
     }
     return membrane.energy(x) / before;
   };
   EXPECT_LT(energy_after(limit), 0.2);
-  EXPECT_FALSE(energy_after(6 * limit) < 2.0);  // NaN counts as unstable
+  EXPECT_FALSE(energy_after(3 * limit) < 2.0);  // NaN counts as unstable
 }
 
 }  // namespace

@@ -46,8 +46,8 @@ std::set<std::uint32_t> sources(const LinkTable& table) {
   return read;
 }
 
-/// Links of fluid nodes that the tables have to serve: the other end is beyond the box in x or y, or in a pillar.
-/// Walls at rest, the mirror plane and periodic layers are places of the kernel.
+/// Links of fluid nodes that the tables have to serve: the other end is beyond the box in x or y, or in a
+/// pillar. Walls at rest, the mirror plane and periodic layers are places of the kernel.
 std::size_t links_that_leave(const UnitCell& cell) {
   std::size_t count = 0;
   test::for_fluid_nodes(cell, [&](int x, int y, int z) {
@@ -118,7 +118,8 @@ TEST(Links, MovingWallsAddMomentumAndNoMass) {
   EXPECT_NEAR(largest, 0.03 / 6, 1e-16);
 }
 
-/// Every place that a node reads in the streaming step belongs to that node alone: steps may run in any order.
+/// Every place that a node reads in the streaming step belongs to that node alone: steps may run in any
+/// order.
 TEST(Links, StreamingPlacesAreSharedByNoTwoNodes) {
   for (const BoxSize& size : boxes()) {
     const UnitCell cell = unit_cell(size);

@@ -189,7 +189,7 @@ TEST(Schema, StatesRangesNamesAndDefaults) {
   const auto& fluid = schema["properties"]["fluid"];
   EXPECT_EQ(fluid["additionalProperties"], false);
   EXPECT_EQ(fluid["properties"]["relaxation_time"]["exclusiveMinimum"], 0.5);
-  EXPECT_EQ(fluid["properties"]["relaxation_time"]["default"], 1.0);
+  EXPECT_EQ(fluid["properties"]["relaxation_time"]["default"], Case{}.fluid.relaxation_time);
   EXPECT_EQ(fluid["properties"]["collision"]["enum"], (std::vector<std::string>{"bgk", "trt"}));
   EXPECT_EQ(schema["properties"]["geometry"]["properties"]["pillar_shape"]["enum"], pillar_shape_names());
   EXPECT_EQ(schema["properties"]["cell"]["properties"]["mesh_frequency"]["type"], "integer");

@@ -7,9 +7,16 @@
 namespace dld {
 namespace {
 
-// The numbers of the paper at dx = 0.4 um.
-TEST(Units, PaperCaseInLatticeUnits) {
+// The paper's relaxation time and force density at dx = 0.4 um.
+Case paper_case() {
   Case c;
+  c.fluid.relaxation_time = 1.0;
+  c.fluid.force_density = 9.36e-5;
+  return c;
+}
+
+TEST(Units, PaperCaseInLatticeUnits) {
+  Case c = paper_case();
   c.cell.capillary_number = 1.0;
   const LatticeParameters l = to_lattice(c);
   EXPECT_EQ(l.nx, 80);
@@ -30,7 +37,7 @@ TEST(Units, PaperCaseInLatticeUnits) {
 
 // The habitual absolute values of this method at the paper's force density.
 TEST(Units, DefaultPenalties) {
-  const LatticeParameters l = to_lattice(Case{});
+  const LatticeParameters l = to_lattice(paper_case());
   EXPECT_NEAR(l.local_area_modulus, 0.5, 1e-4);
   EXPECT_NEAR(l.global_area_modulus, 1.0, 1e-4);
   EXPECT_NEAR(l.volume_modulus, 1.0, 1e-4);
