@@ -39,6 +39,7 @@ include: "workflow/rules/stretching.smk"
 include: "workflow/rules/boundary.smk"
 include: "workflow/rules/passages.smk"
 include: "workflow/rules/sensitivity.smk"
+include: "workflow/rules/stability.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/claims.smk"
 

@@ -14,6 +14,7 @@
 #include "output/interrupt.hpp"
 #include "output/provenance.hpp"
 #include "parameters/limits.hpp"
+#include "parameters/presets.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/report.hpp"
 #include "scene/registry.hpp"
@@ -38,16 +39,30 @@ struct RunOptions {
   int threads = 1;
 };
 
-// Prints the violated margins; true if there are none.
-bool margins_hold(const Case& c, const std::string& file) {
+// Prints the violated margins; true if none of them makes the run diverge, or if it is forced.
+bool may_run(const Case& c, const std::string& file, bool force) {
   bool hold = true;
   for (const auto& margin : stability_margins(c)) {
     if (margin.ok) continue;
-    hold = false;
-    std::cerr << file << ": " << margin.name << " = " << margin.value << " " << margin.unit
-              << ": allowed is below " << margin.limit << "; " << margin.advice << "\n";
+    hold = hold && !margin.fails;
+    std::cerr << file << ": " << (margin.fails ? "expected to diverge" : "expected to be inaccurate") << ": "
+              << margin.name << " = " << margin.value << " " << margin.unit << ", the limit is "
+              << margin.limit << "; " << margin.advice << "\n";
   }
-  return hold;
+  if (!hold && !force) std::cerr << file << ": refused because it is expected to diverge; see --force\n";
+  return hold || force;
+}
+
+// What became of a diverged run, for the user's eyes.
+void explain_divergence(const Json& summary, const std::string& output_file, bool state_kept) {
+  std::cerr << "diverged at step " << summary.value("failing_step", 0L) << ": "
+            << summary.value("failing_quantity", "") << " = " << summary.value("failing_value", Json())
+            << " (limit " << summary.value("failing_limit", Json()) << ") at "
+            << summary.value("failing_place", "") << "\n  likely cure: " << summary.value("advice", "")
+            << "\n";
+  if (state_kept)
+    std::cerr << "  last good shape: /membrane/last_good in " << output_file
+              << "; state at the last pillar line: " << output_file << ".last_good.checkpoint\n";
 }
 
 void write_root_attributes(Hdf5File& out, const Case& c, const Json& summary, int threads) {
@@ -71,10 +86,7 @@ void write_summary(const std::filesystem::path& path, const Json& summary) {
 
 int run(const RunOptions& options) {
   const Case c = read_case(options.case_file);
-  if (!margins_hold(c, options.case_file) && !options.force) {
-    std::cerr << options.case_file << ": not run because it is expected to diverge; --force runs it anyway\n";
-    return bad_parameters;
-  }
+  if (!may_run(c, options.case_file, options.force)) return bad_parameters;
   catch_interrupts();
   Hdf5File out(options.output_file);
   Progress progress;
@@ -91,18 +103,30 @@ int run(const RunOptions& options) {
 
   Json summary = {{"scene", c.scene}, {"status", to_string(status)}};
   summary.update(context.summary);
+  const auto margins = stability_margins(c);
+  if (const Margin* margin = tightest(margins)) {
+    summary["tightest_margin"] = margin->name;
+    summary["used_share_of_margin"] = margin->share;
+  }
   if (context.xdmf.flow) write_flow_points(out, *context.xdmf.flow);
   write_root_attributes(out, c, summary, options.threads);
   out.close();
   write_xdmf(out.path(), context.xdmf);
   write_summary(options.summary_file, summary);
-  std::filesystem::remove(context.checkpoint);
-  return status == Status::diverged ? diverged : done;
+  if (status != Status::diverged) {
+    std::filesystem::remove(context.checkpoint);
+    return done;
+  }
+  const bool state_kept = std::filesystem::exists(context.checkpoint);
+  if (state_kept) std::filesystem::rename(context.checkpoint, options.output_file + ".last_good.checkpoint");
+  explain_divergence(summary, options.output_file, state_kept);
+  return diverged;
 }
 
-int check(const std::string& case_file) {
+int check(const std::string& case_file, bool force) {
   const Case c = read_case(case_file);
   const Json report = {{"case", echo(c)},
+                       {"accuracy", accuracy_json(c)},
                        {"lattice", lattice_numbers(c)},
                        {"dimensionless", dimensionless_numbers(c)},
                        {"si", si_numbers(c)},
@@ -110,7 +134,7 @@ int check(const std::string& case_file) {
                        {"expected_cost", expected_cost(c)},
                        {"margins", margins_json(stability_margins(c))}};
   std::cout << report.dump(2) << "\n";
-  return done;
+  return may_run(c, case_file, force) ? done : bad_parameters;
 }
 
 int command_line(int argc, char** argv) {
@@ -132,6 +156,8 @@ int command_line(int argc, char** argv) {
   std::string case_file;
   CLI::App* check_command = app.add_subcommand("check", "print the resolved case and its derived numbers");
   check_command->add_option("case", case_file, "case file (JSON)")->required();
+  bool force_check = false;
+  check_command->add_flag("--force", force_check, "succeed although the case is expected to diverge");
   CLI::App* schema_command = app.add_subcommand("schema", "print the JSON Schema of case files");
 
   try {
@@ -140,7 +166,7 @@ int command_line(int argc, char** argv) {
     return app.exit(error) == 0 ? done : bad_parameters;
   }
   if (run_command->parsed()) return run(options);
-  if (check_command->parsed()) return check(case_file);
+  if (check_command->parsed()) return check(case_file, force_check);
   if (schema_command->parsed()) std::cout << case_schema().dump(2) << "\n";
   return done;
 }

@@ -66,6 +66,7 @@ struct CouplingParameters {
 };
 
 struct StopParameters {
+  std::string when = "decided";    ///< passage: "decided" (class proved) | "rows" (only at max_rows)
   int max_rows = 0;                ///< passage: 0 means ceil(1/epsilon) + 2 beyond the start transient
   double map_tolerance_um = 0.04;  ///< passage: extrapolated distance to the fixed point of the return map
   double steady_tolerance = 1e-8;  ///< streamlines, channel: relative change of the flow per 100 steps
@@ -97,7 +98,8 @@ struct OutputParameters {
 };
 
 struct Case {
-  std::string scene = "passage";  ///< streamlines | stretching | passage | channel | shear
+  std::string scene = "passage";      ///< streamlines | stretching | passage | channel | shear
+  std::string accuracy = "standard";  ///< preset whose settings replace the defaults below (presets.hpp)
   GeometryParameters geometry;
   FluidParameters fluid;
   CellParameters cell;

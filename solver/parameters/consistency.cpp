@@ -115,6 +115,10 @@ void check_passage(const Case& c, std::vector<Problem>& problems) {
     problems.push_back({"/stop/max_rows", "0", "a number of rows when the rows are not shifted",
                         "use e.g. 10, or a row shift above 0"});
   }
+  if (c.stop.when == "rows" && c.stop.max_rows == 0) {
+    problems.push_back({"/stop/max_rows", "0", "a number of rows when /stop/when is rows",
+                        "use e.g. 50, or \"decided\" for /stop/when"});
+  }
 }
 
 void check_streamlines(const Case& c, std::vector<Problem>& problems) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/pillar.hpp"
+#include "parameters/presets.hpp"
 #include "parameters/text.hpp"
 
 namespace dld {
@@ -42,6 +43,8 @@ std::vector<Declaration> geometry_and_fluid() {
   return {
       {"", "scene", at<&Case::scene>, one_of({"streamlines", "passage", "stretching", "channel", "shear"}),
        "", "what is simulated"},
+      {"", "accuracy", at<&Case::accuracy>, one_of(preset_names()), "",
+       "numerical settings that take the place of the defaults; keys that are given stay"},
       {"geometry", "pillar_shape", at<&Case::geometry, &G::pillar_shape>, one_of(pillar_shape_names()), "",
        "cross-section of the pillars; none for an empty slit"},
       {"geometry", "pillar_radius_um", at<&Case::geometry, &G::pillar_radius_um>, above(0, 1000), "um",
@@ -133,6 +136,8 @@ std::vector<Declaration> coupling_and_stop() {
        "fluid steps for one update of the membrane"},
       {"coupling", "retraction", at<&Case::coupling, &U::retraction>, between(0, 2), "dx",
        "distance of the coupling points inside the membrane, against the kernel's thickness"},
+      {"stop", "when", at<&Case::stop, &P::when>, one_of({"decided", "rows"}), "",
+       "passage: as soon as the class is proved, or only after max_rows"},
       {"stop", "max_rows", at<&Case::stop, &P::max_rows>, between(0, 1000000), "rows",
        "passage: 0 means ceil(1/epsilon) + 2 beyond the start transient"},
       {"stop", "map_tolerance_um", at<&Case::stop, &P::map_tolerance_um>, above(0, 100), "um",

@@ -1,5 +1,6 @@
 #include "parameters/limits.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,6 +16,11 @@ constexpr double area_modulus_limit = 3.0, volume_modulus_limit = 1.2;
 // Speed (lu) at which compressibility, of order (u/cs)^2 = 3 %, is no longer small.
 constexpr double speed_limit = 0.1;
 constexpr double row_shift_limit = 0.5;
+// Density variation 3 f lambda (the pressure that the force builds up over a pitch, over cs^2).
+constexpr double density_limit = 0.3;
+// Mesh edge / dx: beyond the upper bound fluid leaks through, below the lower one the mesh has modes that the
+// kernel cannot see.
+constexpr double longest_edge = 1.5, shortest_edge = 0.5;
 
 // Largest value of sum phi^2 over the nodes of the 3D kernel: a node's own share in its velocity.
 double kernel_self_weight(const std::string& kernel) {
@@ -29,9 +35,16 @@ double mean_edge(double radius, int frequency) {
 }
 
 Margin below(const std::string& name, double value, double limit, const std::string& unit,
-             const std::string& advice) {
-  return {name, value, limit, unit, value < limit, advice};
+             const std::string& advice, bool fails = true) {
+  return {name, value, limit, value / limit, unit, value < limit, fails, advice};
 }
+
+Margin above(const std::string& name, double value, double limit, const std::string& unit,
+             const std::string& advice, bool fails = true) {
+  return {name, value, limit, limit / value, unit, value > limit, fails, advice};
+}
+
+const std::string softer = "reduce /fluid/force_density (at fixed Ca all moduli fall with it)";
 
 // True moduli of the Skalak law at small strain: shear G = 4 kS/k, area K = G + 2 kalpha/3.
 void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>& margins) {
@@ -39,7 +52,6 @@ void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Mar
   const double area = shear + 2 * l.local_area_modulus / 3;
   const double weight = kernel_self_weight(c.coupling.kernel);
   const double edge = mean_edge(l.cell_radius, c.cell.mesh_frequency);
-  const std::string softer = "reduce /fluid/force_density (at fixed Ca all moduli fall with it)";
   margins.push_back(below("in-plane stiffness 2 sqrt3 (K/2 + G) sum phi^2",
                           2 * std::numbers::sqrt3 * (area / 2 + shear) * weight, stiffness_limit, "lu",
                           softer + " or /cell/local_area_modulus, or use a wider kernel"));
@@ -52,6 +64,21 @@ void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Mar
     margins.push_back(below("volume modulus", l.volume_modulus, volume_modulus_limit, "lu",
                             softer + " or /cell/volume_modulus, or use volume_control projection"));
   }
+  margins.push_back(below("mesh edge / dx", edge, longest_edge, "lu",
+                          "raise /cell/mesh_frequency: fluid leaks through a coarse mesh", false));
+  margins.push_back(above("mesh edge / dx (lower bound)", edge, shortest_edge, "lu",
+                          "lower /cell/mesh_frequency: the kernel does not see such short modes", false));
+}
+
+void flow_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>& margins) {
+  // Twice the mean of an empty slit, f H^2 / (12 nu): between the pillars the flow is not faster.
+  margins.push_back(below("largest speed 2 f H^2 / (12 nu)",
+                          2 * l.force_density * l.depth * l.depth / (12 * l.viscosity), speed_limit, "lu",
+                          "reduce /fluid/force_density"));
+  margins.push_back(below("density variation 3 f lambda", 3 * l.force_density * l.nx, density_limit, "1",
+                          "reduce /fluid/force_density"));
+  margins.push_back(below("row shift / pitch", c.geometry.row_shift_um / c.geometry.pitch_um, row_shift_limit,
+                          "1", "mirror the array: a shift d is a shift pitch - d to the other side"));
 }
 
 }  // namespace
@@ -62,16 +89,16 @@ std::vector<Margin> stability_margins(const Case& c) {
   const LatticeParameters l = to_lattice(c);
   std::vector<Margin> margins;
   membrane_margins(c, l, margins);
-  if (passage) {
-    // Twice the mean of an empty slit, f H^2 / (12 nu): between the pillars the flow is not faster.
-    margins.push_back(below("largest speed 2 f H^2 / (12 nu)",
-                            2 * l.force_density * l.depth * l.depth / (12 * l.viscosity), speed_limit, "lu",
-                            "reduce /fluid/force_density"));
-    margins.push_back(below("row shift / pitch", c.geometry.row_shift_um / c.geometry.pitch_um,
-                            row_shift_limit, "1",
-                            "mirror the array: a shift d is a shift pitch - d to the other side"));
-  }
+  if (passage) flow_margins(c, l, margins);
   return margins;
+}
+
+const Margin* tightest(const std::vector<Margin>& margins) {
+  const Margin* worst = nullptr;
+  for (const auto& m : margins) {
+    if (m.fails && (!worst || m.share > worst->share)) worst = &m;
+  }
+  return worst;
 }
 
 }  // namespace dld

@@ -7,16 +7,21 @@
 
 namespace dld {
 
-/// One margin: `value` must stay below `limit`. The limits are estimates and not proofs of stability.
+/// One margin: `share` is the used part of it, below 1 while it holds. The limits agree with the stability
+/// maps (results/tables/stability.csv); they are no proofs of stability.
 struct Margin {
   std::string name;
-  double value = 0, limit = 0;
+  double value = 0, limit = 0, share = 0;
   std::string unit;
   bool ok = true;
+  bool fails = true;   ///< a violation makes the run diverge; otherwise it makes it inaccurate
   std::string advice;  ///< what to change when it is violated
 };
 
 /// Margins of a coupled run (passage, coupled stretching); empty for scenes without a coupled membrane.
 std::vector<Margin> stability_margins(const Case& c);
+
+/// The margin of largest share among those whose violation makes a run diverge; nullptr for an empty list.
+const Margin* tightest(const std::vector<Margin>& margins);
 
 }  // namespace dld

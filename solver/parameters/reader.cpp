@@ -8,6 +8,7 @@
 
 #include "parameters/consistency.hpp"
 #include "parameters/declaration.hpp"
+#include "parameters/presets.hpp"
 #include "parameters/syntax.hpp"
 #include "parameters/text.hpp"
 
@@ -166,6 +167,23 @@ std::optional<double> read_epsilon(const Json& geometry, std::vector<Problem>& p
   return Store(epsilon_declaration(), geometry["epsilon"], problems).checked_number("a number");
 }
 
+// Puts the settings of the case's preset in place of the defaults; a wrong name is reported with the others.
+void apply_preset(const Json& root, Case& c) {
+  std::string name = c.accuracy;
+  if (root.is_object() && root.contains("accuracy") && root["accuracy"].is_string()) {
+    const auto given = root["accuracy"].get<std::string>();
+    const auto names = preset_names();
+    if (names.end() != std::ranges::find(names, given)) name = given;
+  }
+  const Json& settings = preset(name).settings;
+  std::vector<Problem> none;
+  for (const auto& declaration : declarations()) {
+    const Json::json_pointer pointer(declaration.pointer());
+    if (settings.contains(pointer))
+      std::visit(Store(declaration, settings.at(pointer), none), declaration.field(c));
+  }
+}
+
 }  // namespace
 
 CaseError::CaseError(const std::string& file, std::vector<Problem> list)
@@ -177,6 +195,7 @@ Case parse_case(const std::string& text, const std::string& name) {
   if (!problems.empty()) throw CaseError(name, problems);
 
   Case c;
+  apply_preset(root, c);
   std::optional<double> epsilon;
   if (root.is_object() && !root.contains("scene")) {
     problems.push_back({"/scene", "", "one of the scenes; it is required", "add \"scene\": \"passage\""});

@@ -92,8 +92,12 @@ Json margins_json(const std::vector<Margin>& margins) {
     list.push_back({{"name", m.name},
                     {"value", m.value},
                     {"limit", m.limit},
+                    {"used_share", m.share},
                     {"unit", m.unit},
                     {"ok", m.ok},
+                    {"violated", m.ok      ? ""
+                                 : m.fails ? "diverges"
+                                           : "inaccurate"},
                     {"advice", m.ok ? "" : m.advice}});
   }
   return list;

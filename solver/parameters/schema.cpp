@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "parameters/declaration.hpp"
+#include "parameters/presets.hpp"
 #include "parameters/reader.hpp"
 
 namespace dld {
@@ -90,6 +91,9 @@ Json case_schema() {
     section_schema(root, declaration.section)["properties"][std::string(declaration.name)] =
         property(declaration, defaults);
   }
+  // An annotation: the defaults that each preset puts in place of those stated below.
+  Json& annotation = root["properties"]["accuracy"]["x-presets"];
+  for (const auto& p : presets()) annotation[p.name] = p.settings;
   Json& geometry = section_schema(root, "geometry");
   geometry["properties"]["epsilon"] = property(epsilon_declaration(), defaults);
   geometry["not"] = {{"required", {"epsilon", "row_shift_um"}}};

@@ -1,63 +1,104 @@
 #pragma once
 /// Cheap checks during a run: a failing run stops with the quantity, its place and the likely cure.
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "fluid/lattice.hpp"
+#include "geometry/pillar_array.hpp"
 #include "membrane/membrane.hpp"
 
 namespace dld {
 
 struct Failure {
-  std::string quantity, place, advice;
-  double value = 0;
+  std::string quantity;
+  double value = 0, limit = 0;
+  std::string place;
+  std::string advice;
 };
 
 /// The members of a summary that label a diverged run.
-inline void report_failure(const Failure& failure, long step, nlohmann::ordered_json& summary) {
-  summary["failing_quantity"] = failure.quantity;
-  summary["failing_value"] = failure.value;
-  summary["failing_step"] = step;
-  summary["failing_place"] = failure.place;
-  summary["advice"] = failure.advice;
-}
+void report_failure(const Failure& failure, long step, nlohmann::ordered_json& summary);
 
-/// Bounds beyond which a coupled run is no longer a simulation of anything.
+/// Bounds beyond which a run is no longer a simulation of anything.
 struct MonitorLimits {
-  double speed = 0.3;          ///< of a node, lattice units (Mach 0.5)
-  double volume_change = 0.2;  ///< |dV| / V0
-  double area_change = 0.5;    ///< |dA| / A0
-  double face_ratio = 0.01;    ///< smallest face area / reference
-  double penetration = 2.0;    ///< of a node into a pillar, lattice spacings
+  double speed = 0.3;          ///< of a node of membrane or fluid, lattice units (Mach 0.5)
+  double density = 0.3;        ///< |rho - 1| of a fluid node
+  double volume_change = 0.1;  ///< |dV| / V0
+  double area_change = 0.2;    ///< |dA| / A0
+  double face_ratio = 0.02;    ///< smallest face area / reference
+  double penetration = 1.0;    ///< of a node into a pillar, lattice spacings
+  double wall_gap = 0.0;       ///< between a node and the bottom or top wall, lattice spacings
 };
 
-/// state: what was measured on the membrane; speed: of its fastest node; film: smallest distance to a pillar.
-inline std::optional<Failure> check_membrane(const MembraneState& state, const Membrane& membrane,
-                                             double speed, double film, const MonitorLimits& limits = {}) {
-  const double volume_change = state.volume / membrane.reference_volume() - 1.0;
-  const double area_change = state.area / membrane.reference_area() - 1.0;
-  // Written as !(good) so that NaN counts as failed.
-  if (!(speed < limits.speed)) {
-    return Failure{"speed of a membrane node", "membrane",
-                   "lower /fluid/force_density: the membrane is too stiff for explicit coupling", speed};
+/// What the checks of a coupled cell look at, lattice units.
+struct CellView {
+  const Membrane& membrane;
+  const Eigen::MatrixX3d &positions, &velocities;  ///< nv x 3
+  MembraneState state;
+  double speed = 0;                      ///< of the fastest node
+  double film = HUGE_VAL;                ///< smallest distance to a pillar
+  const PillarArray* pillars = nullptr;  ///< for the place of the node that is in one
+  double wall_height = 0;                ///< walls at z = +- wall_height; 0: no walls
+  double um_per_lu = 1;
+};
+
+/// A membrane in its surroundings: speed, volume, area, smallest face, pillars, walls.
+std::optional<Failure> check_membrane(const CellView& cell, const MonitorLimits& limits = {});
+
+/// Smallest distance between a node and the walls z = +- wall_height.
+double smallest_wall_gap(const Eigen::MatrixX3d& positions, double wall_height);
+
+/// "fluid node (x, y, z) um" with the node's place relative to the pillar of the cell and the mid plane.
+std::string fluid_place(const UnitCell& cell, std::array<int, 3> node, double um_per_lu);
+
+/// Fluid node at which quantity(moments) is largest or not a number; moments are density deviation and
+/// velocity.
+template <class Real, class Quantity>
+std::array<int, 3> worst_node(const Lattice<Real>& lattice, Quantity&& quantity) {
+  const UnitCell& cell = lattice.cell();
+  std::array<int, 3> worst{};
+  double largest = -1.0;
+  for (int x = 0; x < cell.nx; ++x) {
+    for (int y = 0; y < cell.ny; ++y) {
+      for (int z = 0; z < cell.nz; ++z) {
+        if (cell.is_solid(x, y, z)) continue;
+        const double value = quantity(lattice.moments(x, y, z));
+        if (!std::isfinite(value)) return {x, y, z};
+        if (value <= largest) continue;
+        largest = value;
+        worst = {x, y, z};
+      }
+    }
   }
-  if (!(std::abs(volume_change) < limits.volume_change)) {
-    return Failure{"volume of the cell", "membrane", "set /cell/volume_control to projection", volume_change};
+  return worst;
+}
+
+/// The fluid as a whole: finite, slow against the speed of sound, nearly incompressible. Needs an even step.
+template <class Real>
+std::optional<Failure> check_fluid(const Lattice<Real>& lattice, const FlowStatistics& flow, double um_per_lu,
+                                   const MonitorLimits& limits = {}) {
+  const double density = std::max(flow.max_density_deviation, -flow.min_density_deviation);
+  const bool finite = std::isfinite(flow.velocity[0]) && std::isfinite(flow.mean_density_deviation);
+  const bool slow = flow.max_speed < limits.speed, incompressible = density < limits.density;
+  if (finite && slow && incompressible) return std::nullopt;
+  const auto speed = [](const auto& m) { return std::hypot(m[1], m[2], m[3]); };
+  const auto deviation = [](const auto& m) { return std::abs(m[0]); };
+  const bool blame_density = finite && slow;
+  const auto node = blame_density ? worst_node(lattice, deviation) : worst_node(lattice, speed);
+  const std::string place = fluid_place(lattice.cell(), node, um_per_lu);
+  if (!finite) {
+    return Failure{"fluid is not a number", flow.velocity[0], 0, place,
+                   "lower /fluid/force_density, or move /fluid/relaxation_time away from 1/2"};
   }
-  if (!(std::abs(area_change) < limits.area_change)) {
-    return Failure{"area of the cell", "membrane",
-                   "raise /cell/global_area_modulus or lower /fluid/force_density", area_change};
+  if (!slow) {
+    return Failure{"speed of the fluid", flow.max_speed, limits.speed, place,
+                   "lower /fluid/force_density, or raise /fluid/relaxation_time"};
   }
-  if (!(state.min_face_ratio > limits.face_ratio)) {
-    return Failure{"smallest face of the membrane", "membrane",
-                   "raise /coupling/regularisation_strength or use /coupling/kernel phi4",
-                   state.min_face_ratio};
-  }
-  if (!(film > -limits.penetration)) {
-    return Failure{"penetration of the pillar", "membrane", "raise /coupling/pillar_repulsion", -film};
-  }
-  return std::nullopt;
+  return Failure{"density of the fluid", density, limits.density, place,
+                 "lower /fluid/force_density: density varies by about 3 f times the pitch"};
 }
 
 }  // namespace dld

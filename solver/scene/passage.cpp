@@ -53,15 +53,16 @@ class PassageRun {
     flow_steps_ = steady.steps;
     mean_velocity_ = steady.flow.velocity[0];
     if (steady.status == Status::diverged) {
-      failure_ = Failure{"speed", "fluid", "lower /fluid/force_density", steady.flow.max_speed};
+      failure_ = check_fluid(lattice_, steady.flow, l_.um_per_lu);
       return finish(Status::diverged);
     }
     const PlaneField field =
         mid_plane(lattice_, [this](double x, double y) { return pillars_.signed_distance(x, y); });
     cell_.emplace(lattice_, membrane_, pillars_, make_coupling_model(case_),
                   start_positions(case_, membrane_.reference().vertices, pillars_, field));
-    sample_interval_ = std::max(2, 2 * static_cast<int>(0.1 / mean_velocity_));
+    sample_interval_ = std::clamp(2 * static_cast<int>(0.1 / mean_velocity_), 2, longest_interval);
     resume();
+    if (steps_ == 0) save_checkpoint();  // a state to go back to, should the run fail before the first line
     context_.progress.start("passage");
     const Status status = advance();
     context_.progress.finish(to_string(status));
@@ -69,6 +70,9 @@ class PassageRun {
   }
 
  private:
+  /// Steps between checks, at the most: trouble is seen within a few hundred steps.
+  static constexpr int longest_interval = 200;
+
   static ReturnMapOptions map_options(const Case& c) {
     ReturnMapOptions options;
     options.epsilon = c.geometry.row_shift_um / c.geometry.pitch_um;
@@ -88,7 +92,10 @@ class PassageRun {
         if (decided_ && extent_done_) return decided_status();
         if (interrupted() != 0) return Status::interrupted;
       }
-      if (steps_ % 1000 == 0) hold_density();
+      if (steps_ % longest_interval == 0) {
+        watch_fluid();
+        if (failure_) return Status::diverged;
+      }
       if (lateral_.blocked() && steps_ % LateralFlow::interval == 0) {
         lateral_.update(lattice_, lattice_.statistics().velocity[1]);
       }
@@ -106,23 +113,36 @@ class PassageRun {
     }
   }
 
-  void hold_density() {
+  /// Checks the fluid, and holds its mean density.
+  void watch_fluid() {
     const FlowStatistics flow = lattice_.statistics();
-    lattice_.shift_density(-flow.mean_density_deviation);
+    if (steps_ % 1000 == 0) lattice_.shift_density(-flow.mean_density_deviation);
     double& variation = record_.extremes.density_variation;
     variation = std::max(variation, flow.max_density_deviation - flow.min_density_deviation);
-    if (!(flow.max_speed < 0.5))
-      failure_ = Failure{"speed", "fluid", "lower /fluid/force_density", flow.max_speed};
+    failure_ = check_fluid(lattice_, flow, l_.um_per_lu);
+  }
+
+  CellView view(const MembraneState& state) const {
+    return {.membrane = membrane_,
+            .positions = cell_->positions(),
+            .velocities = cell_->velocities(),
+            .state = state,
+            .speed = cell_->max_speed(),
+            .film = cell_->film(),
+            .pillars = &pillars_,
+            .wall_height = 0.5 * l_.depth,
+            .um_per_lu = l_.um_per_lu};
   }
 
   /// Measures cell and membrane, follows the passage of the current pillar line.
   void sample() {
     const Eigen::MatrixX3d& x = cell_->positions();
     const MembraneState state = membrane_.measure(x);
-    const double speed = cell_->max_speed();
-    failure_ = check_membrane(state, membrane_, speed, cell_->film());
-    record_.extremes.update(state, membrane_, speed, cell_->film());
+    failure_ = check_membrane(view(state));
+    record_.extremes.update(state, membrane_, cell_->max_speed(), cell_->film(),
+                            smallest_wall_gap(x, 0.5 * l_.depth));
     if (failure_) return;
+    last_good_ = {"last_good", row_, steps_, x};
 
     const Eigen::Vector3d centre = cell_->centre().transpose();
     record_trajectory(x, centre, state);
@@ -132,7 +152,7 @@ class PassageRun {
           map_.add(crossing_at(extent_.y_at_centre(), row_, l_.ny, l_.row_shift, pillar_top_));
       crossing_added_ = true;
       context_.progress.set_total(map_.last_row() + 1.5);  // rows at the most
-      decided_ = now != TrajectoryClass::running;
+      decided_ = case_.stop.when == "rows" ? row_ >= map_.last_row() : now != TrajectoryClass::running;
     }
     if (extent_.passed()) finish_row(state);
     if (context_.progress.due()) {
@@ -228,6 +248,7 @@ class PassageRun {
   }
 
   Status finish(Status status) {
+    if (failure_ && last_good_.vertices.size() > 0) record_.keep(last_good_);
     summarise(status);
     context_.xdmf.mesh = record_.write(context_.out, membrane_.reference(), l_.um_per_lu);
     if (case_.output.flow_field && lattice_.even()) {
@@ -268,7 +289,9 @@ class PassageRun {
     s["volume_change"] = record_.extremes.volume_change;
     s["max_local_area_strain"] = record_.extremes.local_area_strain;
     s["min_face_ratio"] = record_.extremes.min_face_ratio;
-    s["smallest_film_um"] = record_.extremes.film * um;
+    const auto distance = [um](double d) { return d < 1e300 ? nlohmann::ordered_json(d * um) : nullptr; };
+    s["smallest_film_um"] = distance(record_.extremes.film);
+    s["smallest_wall_gap_um"] = distance(record_.extremes.wall_gap);
     s["max_speed"] = record_.extremes.speed;
     s["density_variation"] = record_.extremes.density_variation;
     s["regularisation_mobility"] = cell_ ? cell_->mobility() : 0.0;
@@ -280,7 +303,9 @@ class PassageRun {
     const SiScales si = to_si(case_);
     s["si"] = {{"pressure_gradient_bar_per_m", si.pressure_gradient_Pa_per_m * 1e-5},
                {"mean_velocity_mm_per_s", mean_velocity_ * si.velocity_m_per_s_per_lu * 1e3}};
-    if (failure_) report_failure(*failure_, steps_, s);
+    if (!failure_) return;
+    report_failure(*failure_, cell_ ? steps_ : flow_steps_, s);
+    s["last_good_step"] = last_good_.step;
   }
 
   const Case& case_;
@@ -297,6 +322,7 @@ class PassageRun {
   PassageRecord record_;
   PassageExtent extent_{0.0};
   std::optional<Failure> failure_;
+  MembraneSnapshot last_good_;  ///< shape at the last sample that passed all checks
   Eigen::Vector3d last_recorded_ = Eigen::Vector3d::Zero();
   double mean_velocity_ = 0;
   long steps_ = 0, flow_steps_ = 0, last_snapshot_ = -1000000;

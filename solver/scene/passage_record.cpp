@@ -78,13 +78,14 @@ Eigen::MatrixX3d to_matrix(const std::vector<double>& values) {
 }
 
 void Extremes::update(const MembraneState& state, const Membrane& membrane, double node_speed,
-                      double node_film) {
+                      double node_film, double node_wall_gap) {
   area_change = std::max(area_change, std::abs(state.area / membrane.reference_area() - 1.0));
   volume_change = std::max(volume_change, std::abs(state.volume / membrane.reference_volume() - 1.0));
   local_area_strain = std::max(local_area_strain, state.max_local_area_strain);
   min_face_ratio = std::min(min_face_ratio, state.min_face_ratio);
   speed = std::max(speed, node_speed);
   film = std::min(film, node_film);
+  wall_gap = std::min(wall_gap, node_wall_gap);
 }
 
 PassageRecord::PassageRecord() : trajectory(trajectory_table()), crossings(crossings_table()) {}
@@ -123,9 +124,10 @@ XdmfMesh PassageRecord::write(Hdf5File& out, const TriangleMesh& reference, doub
 void PassageRecord::save(Checkpoint& checkpoint) const {
   trajectory.save(checkpoint, "trajectory_");
   crossings.save(checkpoint, "crossings_");
-  checkpoint.set("extremes", std::vector<double>{extremes.area_change, extremes.volume_change,
-                                                 extremes.local_area_strain, extremes.min_face_ratio,
-                                                 extremes.film, extremes.speed, extremes.density_variation});
+  checkpoint.set("extremes",
+                 std::vector<double>{extremes.area_change, extremes.volume_change, extremes.local_area_strain,
+                                     extremes.min_face_ratio, extremes.film, extremes.speed,
+                                     extremes.density_variation, extremes.wall_gap});
   checkpoint.set("snapshots", static_cast<std::int64_t>(snapshots_.size()));
   for (std::size_t k = 0; k < snapshots_.size(); ++k) {
     const MembraneSnapshot& s = snapshots_[k];
@@ -140,7 +142,7 @@ void PassageRecord::load(const Checkpoint& checkpoint) {
   trajectory.load(checkpoint, "trajectory_");
   crossings.load(checkpoint, "crossings_");
   const auto& e = checkpoint.get<std::vector<double>>("extremes");
-  extremes = {e[0], e[1], e[2], e[3], e[4], e[5], e[6]};
+  extremes = {e[0], e[1], e[2], e[3], e[4], e[5], e[6], e[7]};
   snapshots_.clear();
   for (std::int64_t k = 0; k < checkpoint.integer("snapshots"); ++k) {
     const std::string name = "snapshot_" + std::to_string(k);

@@ -47,8 +47,10 @@ struct Extremes {
   double film = 1e300;  ///< smallest distance to a pillar, lattice units
   double speed = 0;     ///< of a membrane node, lattice units
   double density_variation = 0;
+  double wall_gap = 1e300;  ///< smallest distance to the bottom or top wall, lattice units
 
-  void update(const MembraneState& state, const Membrane& membrane, double node_speed, double node_film);
+  void update(const MembraneState& state, const Membrane& membrane, double node_speed, double node_film,
+              double node_wall_gap);
 };
 
 /// Everything measured on the way; the part of a checkpoint that is not fluid or cell.
@@ -61,6 +63,9 @@ class PassageRecord {
 
   /// Keeps a shape as <kind>_000, <kind>_001 and so on.
   void keep_snapshot(const std::string& kind, int row, long step, const Eigen::MatrixX3d& vertices);
+
+  /// Keeps a shape under its own name.
+  void keep(MembraneSnapshot snapshot) { snapshots_.push_back(std::move(snapshot)); }
 
   /// Writes /trajectory, /crossings and /membrane; returns the membrane's series for XDMF.
   XdmfMesh write(Hdf5File& out, const TriangleMesh& reference, double um_per_lu) const;

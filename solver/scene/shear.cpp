@@ -71,7 +71,14 @@ Status run(const Case& c, RunContext& context) {
     deformation = taylor_deformation(equivalent_semi_axes(cell.positions(), membrane.reference().faces));
     series.append(
         {static_cast<double>(step) * rate, deformation, state.volume / membrane.reference_volume() - 1.0});
-    if (const auto failure = check_membrane(state, membrane, cell.max_speed(), cell.film())) {
+    const CellView view{.membrane = membrane,
+                        .positions = cell.positions(),
+                        .velocities = cell.velocities(),
+                        .state = state,
+                        .speed = cell.max_speed(),
+                        .wall_height = 0.5 * n,
+                        .um_per_lu = l.um_per_lu};
+    if (const auto failure = check_membrane(view)) {
       report_failure(*failure, step, context.summary);
       status = Status::diverged;
       break;

@@ -9,6 +9,7 @@
 #include "output/interrupt.hpp"
 #include "output/progress.hpp"
 #include "parameters/units.hpp"
+#include "scene/monitor.hpp"
 #include "scene/scene.hpp"
 
 namespace dld {
@@ -75,7 +76,7 @@ SteadyState run_to_steady_state(Lattice<Real>& lattice, const LateralFlow& later
     // Interpolated walls do not conserve mass exactly: hold the mean density.
     lattice.shift_density(-state.flow.mean_density_deviation);
     const double now = state.flow.velocity[0];
-    if (!std::isfinite(now) || state.flow.max_speed > 0.5) {
+    if (check_fluid(lattice, state.flow, 1.0)) {
       state.status = Status::diverged;
       break;
     }

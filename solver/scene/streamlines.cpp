@@ -66,10 +66,8 @@ Status run(const Case& c, RunContext& context) {
       static_cast<double>(lattice.fluid_nodes()) / (static_cast<double>(l.nx) * l.ny * l.nz);
   summarise_flow(c, steady, porosity, summary);
   if (steady.status == Status::diverged) {
-    report_failure(
-        {"speed", "fluid", "lower /fluid/force_density, or bring /fluid/relaxation_time nearer to 1",
-         steady.flow.max_speed},
-        steady.steps, summary);
+    if (const auto failure = check_fluid(lattice, steady.flow, l.um_per_lu))
+      report_failure(*failure, steady.steps, summary);
     return steady.status;
   }
 

@@ -101,8 +101,13 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
       cell.step();
       ++steps;
       if (steps % interval != 0) continue;
-      if (const auto failure =
-              check_membrane(membrane.measure(cell.positions()), membrane, cell.max_speed(), cell.film())) {
+      const CellView view{.membrane = membrane,
+                          .positions = cell.positions(),
+                          .velocities = cell.velocities(),
+                          .state = membrane.measure(cell.positions()),
+                          .speed = cell.max_speed(),
+                          .um_per_lu = l.um_per_lu};
+      if (const auto failure = check_membrane(view)) {
         report_failure(*failure, steps, context.summary);
         status = Status::diverged;
         break;

@@ -158,7 +158,7 @@ def passage(case, file):
         return label, {"failing_quantity": "speed", "failing_value": 0.4, "failing_step": 17, "steps": 17}
     vertices, faces = cell(case)
     pitch, shift = case["geometry"]["pitch_um"], case["geometry"]["row_shift_um"]
-    rows = 8
+    rows = case["stop"]["max_rows"] + 1 if case["stop"]["when"] == "rows" else 8
     x = np.linspace(-pitch / 2, (rows - 0.5) * pitch, rows * 50)
     slope = shift / pitch if label == "displaced" else 0.0
     y = 15 + slope * x + 1.5 * np.sin(2 * math.pi * x / pitch)
@@ -174,7 +174,8 @@ def passage(case, file):
     extent = crossings(case, file, label, rows)
     summary = {"d_perp_um": extent, "d_perp_at_centre_um": extent - 0.1, "centre_um": 3.0, "film_um": 0.5}
     summary |= {"area_change": 0.002, "volume_change": 1e-6, "min_face_ratio": 0.7}
-    summary |= {"max_local_area_strain": 0.05, "density_variation": 1e-3}
+    summary |= {"max_local_area_strain": 0.05, "density_variation": 1e-3, "smallest_film_um": 0.4}
+    summary |= {"tightest_margin": "made up", "used_share_of_margin": 1e3 * case["fluid"]["force_density"]}
     summary |= {"crossings": rows, "zigs": 2 * (label == "zigzag"), "defining_crossing": rows - 1}
     return label, summary | {"capillary_number": case["cell"]["capillary_number"]}
 

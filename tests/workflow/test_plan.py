@@ -6,6 +6,7 @@ import pytest
 from study import plan as planning
 
 GROUPS = {"streamlines", "stokes", "stretching", "passages", "boundary", "sensitivity", "sensitivity-flow"}
+GROUPS |= {"stability", "long-run"}
 CASE_SCHEMA = planning.read_json(planning.SCHEMAS / "case.schema.json")
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from jsonschema import Draft202012Validator
 
-from study import points
+from study import points, stability
 from study.brackets import AXES, at_value, off_axis
 from study.points import merged
 
@@ -65,12 +65,21 @@ def with_defaults(value, schema):
     return value
 
 
+def with_preset(case, case_schema):
+    """The case with the settings of its preset (`accuracy`) where it says nothing itself.
+
+    The presets are an annotation of the case schema, so that they are declared in the solver alone.
+    """
+    accuracy = case_schema["properties"]["accuracy"]
+    return merged(accuracy["x-presets"][case.get("accuracy", accuracy["default"])], case)
+
+
 def resolved(case, case_schema):
     """The case with all defaults, reduced to the sections that its scene reads."""
     found = problems(case, case_schema)
     if found:
         raise ValueError("a case of the study does not follow the case schema:\n  " + "\n  ".join(found))
-    full = with_defaults(case, case_schema)
+    full = with_defaults(with_preset(case, case_schema), case_schema)
     if "epsilon" in case.get("geometry", {}):
         full["geometry"].pop("row_shift_um", None)
     return {"scene": full["scene"]} | {name: full[name] for name in SECTIONS[full["scene"]]}
@@ -130,6 +139,7 @@ def make_plan(study, tier_name, case_schema):
     tier = expanded(study["tiers"], tier_name)
     planner = _Planner(case_schema, study["solver_model"])
     sources = (points.streamlines, points.stokes, points.stretching, points.passages, points.sensitivity)
+    sources += (stability.maps, stability.long_run)
     runs = [planner.run(*point) for source in sources for point in source(tier)]
     passages = [run for run in runs if run["case"]["scene"] == "passage"]
     static = {axis: _by_line(passages, axis) for axis in AXES}

@@ -1,0 +1,52 @@
+#include "parameters/presets.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "parameters/reader.hpp"
+
+namespace dld {
+
+using Json = nlohmann::ordered_json;
+
+// The one table of presets. The force density is in units of the lattice: at fixed Re it falls as dx^3, at
+// fixed lattice speed (and cost per pillar line of 1/dx steps) as dx. Errors are those of
+// results/tables/accuracy_cost.csv.
+const std::vector<Preset>& presets() {
+  static const std::vector<Preset> table = {
+      {"draft", {{"fluid", {{"lattice_spacing_um", 0.4}, {"force_density", 1.872e-4}}}}, {}},
+      {"standard", {{"fluid", {{"lattice_spacing_um", 0.4}, {"force_density", 9.36e-5}}}}, {}},
+      {"reference", {{"fluid", {{"lattice_spacing_um", 0.2}, {"force_density", 2.34e-5}}}}, {}},
+  };
+  return table;
+}
+
+std::vector<std::string> preset_names() {
+  std::vector<std::string> names;
+  for (const auto& p : presets()) names.push_back(p.name);
+  return names;
+}
+
+const Preset& preset(const std::string& name) {
+  const auto found = std::ranges::find(presets(), name, &Preset::name);
+  if (found == presets().end()) throw std::out_of_range("no preset " + name);
+  return *found;
+}
+
+Json accuracy_json(const Case& c) {
+  const Preset& p = preset(c.accuracy);
+  const Json resolved = echo(c);
+  Json departs = Json::array();
+  for (const auto& [pointer, value] : p.settings.flatten().items()) {
+    if (resolved.at(Json::json_pointer(pointer)) != value) departs.push_back(pointer);
+  }
+  const auto number = [](const std::optional<double>& x) { return x ? Json(*x) : Json("not measured"); };
+  return {{"preset", p.name},
+          {"departs_in", departs},
+          {"expected_error",
+           {{"d_perp_percent", number(p.error.d_perp_percent)},
+            {"centre_percent", number(p.error.centre_percent)},
+            {"critical_capillary_percent", number(p.error.critical_capillary_percent)}}}};
+}
+
+}  // namespace dld

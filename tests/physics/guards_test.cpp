@@ -1,0 +1,137 @@
+/// Every guard is provoked: a small case that fails by the quantity that the guard watches, and is stopped
+/// with that quantity, its place and a cure.
+#include <gtest/gtest.h>
+
+#include "parameters/limits.hpp"
+#include "scene/monitor.hpp"
+#include "support/scene_run.hpp"
+
+namespace dld {
+namespace {
+
+/// A cell on a coarse lattice (dx = 0.8 um), about 0.1 ms per step.
+Case coarse_case() {
+  Case c = test::case_of(R"({"scene": "passage", "geometry": {"row_shift_um": 6.4},
+      "fluid": {"lattice_spacing_um": 0.8, "force_density": 1e-3}, "cell": {"mesh_frequency": 5},
+      "stop": {"when": "rows", "max_rows": 1}, "output": {"flow_field": false}})");
+  return c;
+}
+
+/// Runs the case and expects it to be stopped by `quantity` before `last_step`.
+void expect_stop(const Case& c, const std::string& quantity, long last_step) {
+  const test::SceneResult r = test::run_scene(c);
+  ASSERT_EQ(r.status, Status::diverged);
+  const auto& s = r.summary;
+  std::printf("%s\n", s["failing_place"].get<std::string>().c_str());
+  EXPECT_EQ(s["failing_quantity"], quantity);
+  EXPECT_GT(s["failing_step"].get<long>(), 0);
+  EXPECT_LE(s["failing_step"].get<long>(), last_step);
+  EXPECT_NE(s["failing_place"].get<std::string>().find(") um"), std::string::npos);
+  EXPECT_FALSE(s["advice"].get<std::string>().empty());
+  EXPECT_TRUE(s.contains("failing_value") && s.contains("failing_limit"));
+}
+
+TEST(Guards, ANaNInTheFluid) {
+  Case c = coarse_case();
+  c.fluid.collision = "bgk";
+  c.fluid.equilibrium = "full";
+  c.fluid.relaxation_time = 0.55;
+  c.fluid.force_density = 0.5;
+  expect_stop(c, "fluid is not a number", 200);
+}
+
+TEST(Guards, SpeedOfTheFluid) {
+  Case c = coarse_case();
+  c.fluid.force_density = 0.01;
+  c.cell.local_area_modulus = c.cell.global_area_modulus = 1;
+  expect_stop(c, "speed of the fluid", 1000);
+}
+
+TEST(Guards, DensityOfTheFluid) {
+  Case c = coarse_case();
+  c.fluid.relaxation_time = 5;  // slow, under a large pressure
+  c.fluid.force_density = 0.02;
+  expect_stop(c, "density of the fluid", 200);
+}
+
+TEST(Guards, SpeedOfTheMembrane) {
+  Case c = coarse_case();
+  c.fluid.relaxation_time = 2;
+  c.fluid.force_density = 0.01;  // at fixed Ca: a stiff membrane
+  expect_stop(c, "speed of the membrane", 200);
+}
+
+TEST(Guards, VolumeOfTheCell) {
+  Case c = coarse_case();
+  c.cell.volume_control = "penalty";
+  c.cell.volume_modulus = 0;
+  expect_stop(c, "volume of the cell", 10000);
+}
+
+TEST(Guards, AreaOfTheCell) {
+  Case c = coarse_case();
+  c.cell.local_area_modulus = c.cell.global_area_modulus = 0;
+  c.cell.capillary_number = 20;
+  expect_stop(c, "area of the cell", 2000);
+}
+
+TEST(Guards, SmallestFaceOfTheMembrane) {
+  Case c = coarse_case();
+  c.coupling.regularisation = "none";
+  c.cell.mesh_frequency = 12;  // edge = dx / 2.4: the kernel does not see how a face collapses
+  c.cell.local_area_modulus = 0;
+  c.cell.capillary_number = 20;
+  c.cell.bending_ratio = 0;
+  expect_stop(c, "smallest face of the membrane", 10000);
+}
+
+TEST(Guards, PenetrationOfAPillar) {
+  Case c = coarse_case();
+  c.coupling.pillar_repulsion = 0;
+  c.cell.capillary_number = 1;
+  c.cell.start.gap_position_um = 22;  // straight at the next pillar
+  expect_stop(c, "penetration of a pillar", 10000);
+}
+
+TEST(Guards, ContactWithAWall) {
+  Case c = coarse_case();
+  c.cell.shape = "sphere";
+  c.cell.radius_um = 2.39;  // 0.01 um of room above and below
+  c.cell.capillary_number = 1;
+  expect_stop(c, "gap to the bottom or top wall", 10000);
+}
+
+TEST(Guards, ANaNInTheMembraneIsNamedAsOne) {
+  Membrane membrane(make_cell("sphere", 2, 3.0), {});
+  const Eigen::MatrixX3d x = membrane.reference().vertices;
+  Eigen::MatrixX3d v = Eigen::MatrixX3d::Zero(x.rows(), 3);
+  v(5, 1) = NAN;
+  const CellView view{.membrane = membrane,
+                      .positions = x,
+                      .velocities = v,
+                      .state = membrane.measure(x),
+                      .speed = HUGE_VAL};
+  const auto failure = check_membrane(view);
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->quantity, "membrane is not a number");
+  EXPECT_EQ(failure->place.find("membrane node 5 at"), 0u);
+}
+
+TEST(Guards, LeaveAHealthyRunAlone) {
+  const test::SceneResult r = test::run_scene(coarse_case());
+  EXPECT_NE(r.status, Status::diverged);
+  EXPECT_FALSE(r.summary.contains("failing_quantity"));
+  EXPECT_GT(r.summary["smallest_wall_gap_um"].get<double>(), 0);
+  EXPECT_EQ(r.summary["crossings"], 2);  // "rows": the first line and one more
+}
+
+// The same cases before they are run: `dld check` foresees what the monitors see.
+TEST(Guards, TheMarginsForeseeStiffnessAndSpeed) {
+  Case c = coarse_case();
+  EXPECT_LT(tightest(stability_margins(c))->share, 1);
+  c.fluid.force_density = 0.01;
+  EXPECT_GT(tightest(stability_margins(c))->share, 1);
+}
+
+}  // namespace
+}  // namespace dld

@@ -1,0 +1,185 @@
+"""Presets, stability maps and the long run: plan, verdicts, tables and figures on made-up runs.
+
+Where the solver is built, its guards too.
+"""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pandas as pd
+import pytest
+from study import plan as planning
+from study.stability import crossing, judge, maps
+
+ROOT = Path(__file__).resolve().parents[2]
+DLD = Path(os.environ.get("DLD", ROOT / "build/dld"))
+needs_solver = pytest.mark.skipif(not DLD.exists(), reason="the solver is not built")
+CASE_SCHEMA = planning.read_json(planning.SCHEMAS / "case.schema.json")
+PRESETS = CASE_SCHEMA["properties"]["accuracy"]["x-presets"]
+
+HEALTHY = {
+    "status": "undecided",
+    "volume_change": 1e-6,
+    "area_change": 2e-3,
+    "density_variation": 0.02,
+    "min_face_ratio": 0.9,
+    "smallest_film_um": 0.3,
+}
+
+
+def identity(case):
+    return planning.run_id(planning.resolved(case, CASE_SCHEMA), 1)
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_a_preset_is_the_same_run_as_its_settings_spelled_out(name):
+    preset = {"scene": "passage", "accuracy": name}
+    assert identity(preset) == identity(planning.merged({"scene": "passage"}, PRESETS[name]))
+
+
+def test_an_explicit_key_wins_over_the_preset():
+    case = {"scene": "passage", "accuracy": "reference", "fluid": {"force_density": 1e-5}}
+    fluid = planning.resolved(case, CASE_SCHEMA)["fluid"]
+    assert fluid["force_density"] == 1e-5
+    assert fluid["lattice_spacing_um"] == PRESETS["reference"]["fluid"]["lattice_spacing_um"]
+
+
+def test_the_standard_preset_is_the_default():
+    assert identity({"scene": "passage"}) == identity({"scene": "passage", "accuracy": "standard"})
+    assert identity({"scene": "passage"}) != identity({"scene": "passage", "accuracy": "reference"})
+
+
+@pytest.mark.parametrize(
+    ("change", "verdict"),
+    [
+        ({}, ("works", None)),
+        (
+            {"status": "diverged", "failing_quantity": "speed of the membrane"},
+            ("fails", "speed of the membrane"),
+        ),
+        ({"volume_change": -0.02}, ("inaccurate", "volume_change")),
+        ({"area_change": float("nan")}, ("inaccurate", "area_change")),
+        ({"density_variation": 0.2}, ("inaccurate", "density_variation")),
+        ({"min_face_ratio": 0.1}, ("inaccurate", "min_face_ratio")),
+        ({"smallest_film_um": -0.1}, ("inaccurate", "smallest_film_um")),
+    ],
+)
+def test_verdicts(change, verdict):
+    assert judge(HEALTHY | change) == verdict
+
+
+def test_the_predicted_limit_is_where_the_share_passes_one():
+    assert crossing([1.0, 100.0], [0.1, 10.0]) == pytest.approx(10.0)
+    assert crossing([1.0, 100.0], [10.0, 0.1]) == pytest.approx(10.0)
+    assert crossing([1.0, 2.0], [0.1, 0.2]) is None
+    assert crossing(["single", "double"], [0.1, 10.0]) is None
+    assert crossing([1.0, 2.0], [0.1, None]) is None
+
+
+def test_axes_of_a_map_win_over_its_case():
+    axes = {
+        "x": {"key": "/fluid/force_density", "values": [2, 3]},
+        "y": {"key": "/cell/shape", "values": ["sphere"]},
+    }
+    section = {"case": {"fluid": {"force_density": 1}}, "maps": {"m": {"case": {}, **axes}}}
+    cases = [case for _, _, case in maps({"stability": section})]
+    spheres = {"scene": "passage", "cell": {"shape": "sphere"}}
+    assert cases == [spheres | {"fluid": {"force_density": force}} for force in (2, 3)]
+
+
+@pytest.fixture(scope="module")
+def tables(results, call):
+    """The stability table and the table of the long run of a tier."""
+    given = {"plan": results / "plan.json", "runs": results / "runs"}
+    paths = {name: results / f"tables/{name}.csv" for name in ("stability", "long_run")}
+    call("stability_table", **given, output=paths["stability"])
+    call("stability_long_run_table", **given, output=paths["long_run"])
+    return paths
+
+
+def test_tables(tables):
+    points = pd.read_csv(tables["stability"])
+    columns = "map x_name x y_name y status failing_quantity step predicted_limit"
+    assert set(columns.split()) <= set(points.columns)
+    assert set(points.status) <= {"works", "inaccurate", "fails"}
+    # The made-up share is f / 1e-3, so every map against the force density has its limit there.
+    force = points[(points.y_name == "/fluid/force_density") & points.predicted_limit.notna()]
+    assert len(force) and force.predicted_limit.to_numpy() == pytest.approx(1e-3, rel=1e-2)
+    drift = pd.read_csv(tables["long_run"])
+    assert drift.row.is_monotonic_increasing
+    assert np.all(drift.d_perp_change == 0)
+
+
+def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call):
+    def make(folder):
+        folder.mkdir()
+        for script, name in (("stability_figure", "stability"), ("stability_long_run_figure", "long_run")):
+            files = {"table": tables[name], "csv": folder / f"{name}.csv", "output": folder / f"{name}.pdf"}
+            call(script, plan=results / "plan.json", **files)
+        return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+
+    first = make(results / "stability-figures")
+    assert len(first) == 6
+    if "smoke" in results.name:
+        assert make(results / "stability-figures-again") == first
+
+
+def write_case(folder, **sections):
+    coarse = {
+        "scene": "passage",
+        "geometry": {"row_shift_um": 6.4},
+        "fluid": {"lattice_spacing_um": 0.8, "force_density": 1e-3},
+        "cell": {"mesh_frequency": 5},
+        "stop": {"when": "rows", "max_rows": 1},
+        "output": {"flow_field": False},
+    }
+    path = folder / "case.json"
+    path.write_text(json.dumps(planning.merged(coarse, sections)), encoding="utf-8")
+    return path
+
+
+def solver(*arguments):
+    return subprocess.run([DLD, *arguments], capture_output=True, text=True, check=False)
+
+
+@needs_solver
+def test_a_diverged_run_keeps_its_last_good_state(tmp_path):
+    slack = {"local_area_modulus": 0, "global_area_modulus": 0, "capillary_number": 20}
+    case, out, summary = write_case(tmp_path, cell=slack), tmp_path / "run.h5", tmp_path / "summary.json"
+    done = solver("run", case, out, "--summary", summary)
+    assert done.returncode == 3, done.stderr
+    assert "area of the cell" in done.stderr and "likely cure" in done.stderr
+    facts = json.loads(summary.read_text())
+    assert facts["status"] == "diverged"
+    assert 0 < facts["last_good_step"] < facts["failing_step"] <= facts["last_good_step"] + 200
+    with h5py.File(out) as file:
+        shape = file["membrane/last_good/vertices"][:]
+        assert np.isfinite(shape).all() and len(shape) == len(file["membrane/reference"])
+    assert (tmp_path / "run.h5.last_good.checkpoint").exists()
+    assert not (tmp_path / "run.h5.checkpoint").exists()
+
+
+@needs_solver
+def test_settings_that_are_known_to_fail_are_refused_unless_forced(tmp_path):
+    case, out = write_case(tmp_path, fluid={"force_density": 0.1}), tmp_path / "run.h5"
+    for command in (("check", case), ("run", case, out)):
+        refused = solver(*command)
+        assert refused.returncode == 2
+        assert "expected to diverge" in refused.stderr and "--force" in refused.stderr
+    assert solver("check", case, "--force").returncode == 0
+    forced = solver("run", case, out, "--force")
+    assert forced.returncode == 3, "what is refused does fail: " + forced.stderr
+
+
+@needs_solver
+def test_check_reports_the_margin_to_every_limit_and_the_preset(tmp_path):
+    report = json.loads(solver("check", write_case(tmp_path)).stdout)
+    assert len(report["margins"]) > 5
+    for margin in report["margins"]:
+        assert margin["used_share"] > 0 and margin["ok"], margin
+    assert report["accuracy"]["preset"] == "standard"
+    assert report["accuracy"]["departs_in"] == ["/fluid/lattice_spacing_um", "/fluid/force_density"]

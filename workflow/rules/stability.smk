@@ -1,0 +1,80 @@
+"""Where the methods fail: two-parameter maps and the drift over a long run."""
+
+STABILITY_TABLES = expand(f"{TABLES}/{{name}}.csv", name=["stability", "long_run"])
+STABILITY_FIGURES = expand(f"{FIGURES}/{{name}}.{{suffix}}", name=["stability", "long_run"], suffix=["pdf", "png", "csv"])
+
+
+rule stability:
+    input:
+        STABILITY_TABLES,
+        STABILITY_FIGURES,
+
+
+rule stability_table:
+    input:
+        plan=rules.plan.output,
+        runs=of_runs("summary.json", "stability"),
+        script=f"{SCRIPTS}/stability_table.py",
+        package=PACKAGE,
+    output:
+        f"{TABLES}/stability.csv",
+    log:
+        f"{LOGS}/stability_table.log",
+    params:
+        runs=RUNS,
+    shell:
+        "python {input.script} --plan {input.plan} --runs {params.runs} --output {output} 2> {log}"
+
+
+rule stability_figure:
+    input:
+        plan=rules.plan.output,
+        table=f"{TABLES}/stability.csv",
+        script=f"{SCRIPTS}/stability_figure.py",
+        package=PACKAGE,
+    output:
+        csv=f"{FIGURES}/stability.csv",
+        pdf=f"{FIGURES}/stability.pdf",
+        png=f"{FIGURES}/stability.png",
+    log:
+        f"{LOGS}/stability_figure.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} \
+            --csv {output.csv} --output {output.pdf} 2> {log}
+        """
+
+
+rule long_run_table:
+    input:
+        plan=rules.plan.output,
+        runs=of_runs("summary.json", "long-run") + of_runs("run.h5", "long-run"),
+        script=f"{SCRIPTS}/stability_long_run_table.py",
+        package=PACKAGE,
+    output:
+        f"{TABLES}/long_run.csv",
+    log:
+        f"{LOGS}/long_run_table.log",
+    params:
+        runs=RUNS,
+    shell:
+        "python {input.script} --plan {input.plan} --runs {params.runs} --output {output} 2> {log}"
+
+
+rule long_run_figure:
+    input:
+        plan=rules.plan.output,
+        table=f"{TABLES}/long_run.csv",
+        script=f"{SCRIPTS}/stability_long_run_figure.py",
+        package=PACKAGE,
+    output:
+        csv=f"{FIGURES}/long_run.csv",
+        pdf=f"{FIGURES}/long_run.pdf",
+        png=f"{FIGURES}/long_run.png",
+    log:
+        f"{LOGS}/long_run_figure.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} \
+            --csv {output.csv} --output {output.pdf} 2> {log}
+        """

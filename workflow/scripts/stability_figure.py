@@ -1,0 +1,111 @@
+"""Stability maps: works, inaccurate or fails in planes of two parameters, and the limit stated beforehand."""
+
+import argparse
+
+import numpy as np
+from study.plan import read_json
+from study.stability import STATUSES
+from study.style import BLACK, BLUE, PAGE, SKY, VERMILION, YELLOW, new_figure, plt, save
+from study.tables import read_table
+
+FACES = {"works": SKY, "inaccurate": YELLOW, "fails": VERMILION}
+MARKERS = {"works": "o", "inaccurate": "^", "fails": "x"}
+NAMES = {
+    "/fluid/relaxation_time": r"relaxation time $\tau$",
+    "/fluid/force_density": r"force density $f$ / lu",
+    "/fluid/precision": "precision",
+    "/cell/capillary_number": "Ca",
+    "/cell/local_area_modulus": r"$k_\alpha$ / ($p' l r$)",
+    "/cell/volume_modulus": r"$k_V$ / ($p' l$)",
+    "/cell/mesh_frequency": "mesh frequency",
+    "/cell/viscosity_ratio": "viscosity ratio",
+    "/cell/bending_ratio": r"$k_B$ / ($k_S r^2$)",
+    "/coupling/pillar_repulsion": r"repulsion / ($p' l\,dx^2$)",
+}
+COLUMNS = 3
+
+
+def edges(values):
+    """Borders of the cells around values on a logarithmic axis, n + 1 for n values."""
+    logs = np.log(values)
+    if len(logs) == 1:
+        return np.exp(np.array([logs[0] - 0.5, logs[0] + 0.5]))
+    inner = 0.5 * (logs[1:] + logs[:-1])
+    return np.exp(np.concatenate([[2 * logs[0] - inner[0]], inner, [2 * logs[-1] - inner[-1]]]))
+
+
+def axis_of(values):
+    """Places of the values on the axis and their names: numbers as they are, words as 1, 2, ..."""
+    words = not np.issubdtype(np.asarray(values).dtype, np.number)
+    places = np.arange(1, len(values) + 1, dtype=float) if words else np.asarray(values, float)
+    return places, list(values) if words else None
+
+
+def grid(frame, column, xs, ys):
+    """Values of a column on the plane, ny x nx; missing points are NaN or None."""
+    table = frame.pivot_table(index="y", columns="x", values=column, aggfunc="first")
+    return table.reindex(index=ys, columns=xs).to_numpy()
+
+
+def numbers(values):
+    """The distinct values in order, as numbers if all of them are."""
+    try:
+        return sorted({float(value) for value in values})
+    except ValueError:
+        return sorted(set(values))
+
+
+def draw(axes, frame):
+    """One map."""
+    xs, ys = numbers(frame.x), numbers(frame.y)
+    frame = frame.assign(x=[type(xs[0])(v) for v in frame.x], y=[type(ys[0])(v) for v in frame.y])
+    (px, x_words), (py, y_words) = axis_of(xs), axis_of(ys)
+    status = grid(frame, "status", xs, ys)
+    axes.set(xscale="linear" if x_words else "log", yscale="linear" if y_words else "log")
+    x_edges = np.arange(len(px) + 1) + 0.5 if x_words else edges(px)
+    y_edges = np.arange(len(py) + 1) + 0.5 if y_words else edges(py)
+    for name in STATUSES:
+        chosen = np.where(status == name, 1.0, np.nan)
+        axes.pcolormesh(x_edges, y_edges, chosen, color=FACES[name], alpha=0.45, linewidth=0, rasterized=True)
+        j, i = np.nonzero(status == name)
+        axes.scatter(px[i], py[j], s=9, marker=MARKERS[name], color=BLACK, linewidths=0.7)
+    share = grid(frame, "predicted_share", xs, ys).astype(float)
+    if min(share.shape) > 1 and np.nanmin(share) < 1 < np.nanmax(share):
+        axes.contour(px, py, np.log(share), levels=[0], colors=BLUE, linewidths=1.4)
+    for axis, words, places in ((axes.xaxis, x_words, px), (axes.yaxis, y_words, py)):
+        axis.set_minor_locator(plt.NullLocator())
+        if words:
+            axis.set_ticks(places, words)
+        elif places[-1] / places[0] < 50:
+            axis.set_ticks(places[:: max(1, len(places) // 4)])
+            axis.set_major_formatter(plt.FuncFormatter(lambda v, _: f"{v:.3g}"))
+    axes.set_xlabel(NAMES.get(frame.x_name.iloc[0], frame.x_name.iloc[0]))
+    axes.set_ylabel(NAMES.get(frame.y_name.iloc[0], frame.y_name.iloc[0]))
+    axes.set_title(frame["map"].iloc[0], fontsize=8)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    for name in ("plan", "table", "csv", "output"):
+        parser.add_argument(f"--{name}", required=True)
+    arguments = parser.parse_args()
+    table = read_table(arguments.table)
+    table.to_csv(arguments.csv, index=False, lineterminator="\n")
+    maps = list(dict.fromkeys(table["map"]))
+    rows = -(-len(maps) // COLUMNS)
+    figure = new_figure(PAGE, 0.5 + 1.9 * rows)
+    panels = figure.subplots(rows, COLUMNS, squeeze=False).ravel()
+    for axes, name in zip(panels, maps, strict=False):
+        draw(axes, table[table["map"] == name])
+    for axes in panels[len(maps) :]:
+        axes.set_axis_off()
+    keys = [
+        plt.Line2D([], [], color=FACES[name], marker=MARKERS[name], mec=BLACK, linewidth=6, ms=4, label=name)
+        for name in STATUSES
+    ]
+    keys.append(plt.Line2D([], [], color=BLUE, linewidth=1.4, label="limit stated by dld check"))
+    figure.legend(handles=keys, loc="outside lower center", ncols=4)
+    save(figure, arguments.output, read_json(arguments.plan)["note"])
+
+
+main()
