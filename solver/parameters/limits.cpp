@@ -13,11 +13,14 @@ namespace {
 constexpr double stiffness_limit = 2.0;
 // Largest moduli (lu) that explicit coupling was seen to bear.
 constexpr double area_modulus_limit = 3.0, volume_modulus_limit = 1.2;
-// Speed (lu) at which compressibility, of order (u/cs)^2 = 3 %, is no longer small.
-constexpr double speed_limit = 0.1;
+// Speed (lu) at which compressibility, of order (u/cs)^2 = 3 %, is no longer small, and the Mach number of
+// 0.5 at which the monitors stop a run. The estimate below agrees with the largest speed to about 10 per
+// cent.
+constexpr double accurate_speed_limit = 0.1, speed_limit = 0.3;
 constexpr double row_shift_limit = 0.5;
-// Density variation 3 f lambda (the pressure that the force builds up over a pitch, over cs^2).
-constexpr double density_limit = 0.3;
+// Density variation 3 f lambda, the pressure that the force builds up over a pitch, over cs^2; about 0.7 of
+// it is seen. It has to stay a perturbation; the monitors stop a run at 0.3 above or below the mean.
+constexpr double accurate_density_limit = 0.15, density_limit = 0.8;
 // Mesh edge / dx: beyond the upper bound fluid leaks through, below the lower one the mesh has modes that the
 // kernel cannot see.
 constexpr double longest_edge = 1.5, shortest_edge = 0.5;
@@ -72,13 +75,16 @@ void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Mar
 
 void flow_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>& margins) {
   // Twice the mean of an empty slit, f H^2 / (12 nu): between the pillars the flow is not faster.
-  margins.push_back(below("largest speed 2 f H^2 / (12 nu)",
-                          2 * l.force_density * l.depth * l.depth / (12 * l.viscosity), speed_limit, "lu",
-                          "reduce /fluid/force_density"));
-  margins.push_back(below("density variation 3 f lambda", 3 * l.force_density * l.nx, density_limit, "1",
-                          "reduce /fluid/force_density"));
+  const double speed = 2 * l.force_density * l.depth * l.depth / (12 * l.viscosity);
+  const double density = 3 * l.force_density * l.nx;
+  const std::string slower = "reduce /fluid/force_density";
+  margins.push_back(below("largest speed 2 f H^2 / (12 nu)", speed, speed_limit, "lu", slower));
+  margins.push_back(below("largest speed, for accuracy", speed, accurate_speed_limit, "lu", slower, false));
+  margins.push_back(below("density variation 3 f lambda", density, density_limit, "1", slower));
+  margins.push_back(
+      below("density variation, for accuracy", density, accurate_density_limit, "1", slower, false));
   margins.push_back(below("row shift / pitch", c.geometry.row_shift_um / c.geometry.pitch_um, row_shift_limit,
-                          "1", "mirror the array: a shift d is a shift pitch - d to the other side"));
+                          "1", "mirror the array: a shift d is a shift pitch - d to the other side", false));
 }
 
 }  // namespace

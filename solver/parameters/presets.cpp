@@ -35,9 +35,9 @@ const Preset& preset(const std::string& name) {
 
 Json accuracy_json(const Case& c) {
   const Preset& p = preset(c.accuracy);
-  const Json resolved = echo(c);
+  const Json resolved = echo(c), settings = p.settings.flatten();
   Json departs = Json::array();
-  for (const auto& [pointer, value] : p.settings.flatten().items()) {
+  for (const auto& [pointer, value] : settings.items()) {
     if (resolved.at(Json::json_pointer(pointer)) != value) departs.push_back(pointer);
   }
   const auto number = [](const std::optional<double>& x) { return x ? Json(*x) : Json("not measured"); };

@@ -106,11 +106,8 @@ TEST(Guards, ANaNInTheMembraneIsNamedAsOne) {
   const Eigen::MatrixX3d x = membrane.reference().vertices;
   Eigen::MatrixX3d v = Eigen::MatrixX3d::Zero(x.rows(), 3);
   v(5, 1) = NAN;
-  const CellView view{.membrane = membrane,
-                      .positions = x,
-                      .velocities = v,
-                      .state = membrane.measure(x),
-                      .speed = HUGE_VAL};
+  const CellView view{
+      .membrane = membrane, .positions = x, .velocities = v, .state = membrane.measure(x), .speed = HUGE_VAL};
   const auto failure = check_membrane(view);
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->quantity, "membrane is not a number");

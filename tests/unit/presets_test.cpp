@@ -19,8 +19,8 @@ TEST(Presets, StandardRepeatsTheDefaults) {
 
 TEST(Presets, SetEveryParameterThatTheyName) {
   for (const auto& p : presets()) {
-    const auto resolved = echo(with_accuracy(p.name));
-    for (const auto& [pointer, value] : p.settings.flatten().items())
+    const auto resolved = echo(with_accuracy(p.name)), settings = p.settings.flatten();
+    for (const auto& [pointer, value] : settings.items())
       EXPECT_EQ(resolved.at(nlohmann::ordered_json::json_pointer(pointer)), value) << p.name << pointer;
     EXPECT_EQ(resolved["accuracy"], p.name);
   }
