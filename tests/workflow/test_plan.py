@@ -14,7 +14,7 @@ def identity(case, model=1):
     return planning.run_id(planning.resolved(case, CASE_SCHEMA), model)
 
 
-@pytest.mark.parametrize("tier", ["smoke", "paper"])
+@pytest.mark.parametrize("tier", ["smoke", "paper", "fine"])
 def test_every_tier_has_a_valid_plan_with_all_groups(study, tier):
     plan = planning.make_plan(study, tier, CASE_SCHEMA)
     assert {run["group"] for run in plan["runs"]} == GROUPS
@@ -23,7 +23,7 @@ def test_every_tier_has_a_valid_plan_with_all_groups(study, tier):
 
 
 def test_unknown_tier_is_named_with_the_known_ones(study):
-    with pytest.raises(ValueError, match=r"no tier 'big'.*paper, smoke"):
+    with pytest.raises(ValueError, match=r"no tier 'big'.*fine, paper, smoke"):
         planning.make_plan(study, "big", CASE_SCHEMA)
 
 
@@ -72,3 +72,39 @@ def test_merged_overlays_leaf_by_leaf():
         "a": {"b": 1, "c": 3},
         "d": 4,
     }
+
+
+def test_a_tier_that_extends_another_adds_to_it(study):
+    fine, paper = (planning.make_plan(study, tier, CASE_SCHEMA) for tier in ("fine", "paper"))
+    assert set(paper["brackets"]) < set(fine["brackets"])
+    assert set(planning.ids(paper, "passages")) == set(planning.ids(fine, "passages"))
+
+
+def test_a_bracket_knows_the_runs_of_the_sweeps_on_its_axis(study):
+    plan = planning.make_plan(study, "paper", CASE_SCHEMA)
+    grid = {
+        run["case"]["cell"]["capillary_number"]: run["id"]
+        for run in plan["runs"]
+        if run["labels"].get("sweep") == "grid" and run["case"]["geometry"]["row_shift_um"] == 4.4
+    }
+    assert dict(plan["brackets"]["lattice-0.4/d4.4"]["known"]) == grid
+    mirror = plan["brackets"]["row-shift-0.4/ca0.5"]["known"]
+    assert [shift for shift, _ in mirror] == study["tiers"]["paper"]["passages"]["grid"]["row_shifts_um"]
+
+
+def test_names_that_the_study_refers_to_exist(study):
+    for name in study["tiers"]:
+        tier = planning.expanded(study["tiers"], name)
+        series = set(tier["boundary"]["series"])
+        for members in tier["boundary"]["extrapolated"].values():
+            assert set(members) <= series
+        boundary = tier["sensitivity"]["boundary"]
+        assert boundary["reference"] in series
+        assert set(boundary["choices"]) <= set(tier["sensitivity"]["choices"])
+        plan = planning.make_plan(study, name, CASE_SCHEMA)
+        known = {bracket["series"] for bracket in plan["brackets"].values()}
+        for values in tier["sensitivity"]["choices"].values():
+            assert {entry["series"] for entry in values.values() if "series" in entry} <= known
+        variants = set(tier["streamlines"]["variants"])
+        for members in tier["streamlines"]["refinement"].values():
+            assert set(members) <= variants
