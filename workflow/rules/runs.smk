@@ -48,4 +48,5 @@ def of_runs(name, *groups):
     return expand(f"{RUNS}/{{run}}/{name}", run=ids(PLAN, *groups))
 
 
-ALL_RUNS = expand(f"{RUNS}/{{run}}/summary.json", run=list(dict.fromkeys(run["id"] for run in PLAN["runs"])))
+STUDY_GROUPS = ["streamlines", "stokes", "stretching", "passages", "boundary", "sensitivity", "sensitivity-flow"]
+ALL_RUNS = expand(f"{RUNS}/{{run}}/summary.json", run=ids(PLAN, *STUDY_GROUPS))
