@@ -16,15 +16,18 @@ const std::vector<Preset>& presets() {
   static const std::vector<Preset> table = {
       {"draft",
        {{"fluid", {{"lattice_spacing_um", 0.4}, {"relaxation_time", 0.8}, {"force_density", 4.4928e-4}}},
-        {"cell", {{"mesh_frequency", 8}}}},
+        {"cell", {{"mesh_frequency", 8}}},
+        {"coupling", {{"steps_per_update", 2}}}},
        {}},
       {"standard",
        {{"fluid", {{"lattice_spacing_um", 0.4}, {"relaxation_time", 0.8}, {"force_density", 2.2464e-4}}},
-        {"cell", {{"mesh_frequency", 10}}}},
+        {"cell", {{"mesh_frequency", 10}}},
+        {"coupling", {{"steps_per_update", 2}}}},
        {}},
       {"reference",
        {{"fluid", {{"lattice_spacing_um", 0.2}, {"relaxation_time", 1.1}, {"force_density", 1.1232e-4}}},
-        {"cell", {{"mesh_frequency", 14}}}},
+        {"cell", {{"mesh_frequency", 14}}},
+        {"coupling", {{"steps_per_update", 1}}}},
        {}},
   };
   return table;
