@@ -40,6 +40,7 @@ include: "workflow/rules/boundary.smk"
 include: "workflow/rules/passages.smk"
 include: "workflow/rules/sensitivity.smk"
 include: "workflow/rules/stability.smk"
+include: "workflow/rules/accuracy.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/claims.smk"
 

@@ -74,6 +74,7 @@ def call():
         words = [str(word) for name, value in arguments.items() for word in (f"--{name}", value)]
         command = [sys.executable, ROOT / "workflow/scripts" / f"{script}.py", *words]
         environment = {"PYTHONPATH": str(ROOT / "workflow"), "PATH": "/usr/bin:/bin", "HOME": "/tmp"}
+        environment["OPENBLAS_NUM_THREADS"] = "1"  # several threads slow small matrices down
         done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
         assert done.returncode == 0, done.stderr
 

@@ -149,6 +149,8 @@ def make_plan(study, tier_name, case_schema):
             found = planner.bracket(name, definition, overlay, static[definition["axis"]])
             brackets[name] = found[0]
             runs += found[1]
+    # Last, so that the brackets do not wait for runs that only the target `accuracy` needs.
+    runs += [planner.run(*point) for point in points.accuracy(tier)]
     return {
         "tier": tier_name,
         "note": tier["note"],
@@ -156,6 +158,7 @@ def make_plan(study, tier_name, case_schema):
         "refinement": tier["streamlines"]["refinement"],
         "extrapolated": tier["boundary"]["extrapolated"],
         "sensitivity": tier["sensitivity"],
+        "accuracy": tier["accuracy"],
         "figures": tier["figures"],
         "brackets": brackets,
         "runs": runs,

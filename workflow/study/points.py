@@ -87,6 +87,17 @@ def sensitivity(tier):
             yield "sensitivity-flow", labels, merged(overlay, flow)
 
 
+def accuracy(tier):
+    """Every method with all its settings at the points of the accuracy studies."""
+    for study, part in tier["accuracy"]["studies"].items():
+        for method, entry in part["methods"].items():
+            settings = {name: part["ladder"][name] for name in entry.get("ladder", [])}
+            settings |= entry.get("settings", {})
+            for (setting, how), (point, where) in product(settings.items(), part["points"].items()):
+                labels = {"study": study, "method": method, "setting": setting, "point": point}
+                yield f"accuracy-{study}", labels, merged(part["case"], how, entry["case"], where)
+
+
 def boundary_brackets(tier):
     """(name, definition, overlay) of the brackets of the capillary number, one for each series and row
     shift.

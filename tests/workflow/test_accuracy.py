@@ -1,0 +1,124 @@
+"""Frontiers, limits, and the judgement of runs on made-up numbers; scripts of the study on made-up runs."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from study import accuracy, frontier
+
+
+def test_frontier_keeps_what_nothing_dominates():
+    costs = [1, 2, 3, 4, 2, np.nan, 5]
+    errors = [8, 4, 5, 1, 4, 0.1, np.nan]
+    assert list(frontier.on_frontier(costs, errors)) == [True, True, False, True, True, False, False]
+
+
+def test_frontier_of_equal_costs_keeps_the_most_accurate():
+    assert list(frontier.on_frontier([1, 1, 1], [3, 2, 2.5])) == [False, True, False]
+
+
+def test_step_line_goes_right_then_down():
+    x, y = frontier.step_line([10, 1], [1, 5])
+    assert (list(x), list(y)) == ([1, 10, 10], [5, 5, 1])
+
+
+def test_straight_limit_and_its_standard_error():
+    h = np.array([0.8, 0.4, 0.2, 0.1])
+    value, error = frontier.straight_limit(h, 3 + 2 * h, 1)
+    assert value == pytest.approx(3) and error < 1e-12
+    noise = 0.01 * np.array([1, -1, -1, 1])
+    value, error = frontier.straight_limit(h, 3 + 2 * h + noise, 1)
+    assert 0 < abs(value - 3) < 3 * error
+    with pytest.raises(ValueError, match="three points"):
+        frontier.straight_limit([0.2, 0.1], [1, 2], 1)
+
+
+def made_up(method, setting, spacing, value, cost, status="displaced", point="p"):
+    labels = {"study": "passages", "method": method, "setting": setting, "point": point}
+    observed = {"D_perp, relative": np.array([value])} if value is not None else {}
+    return labels | {
+        "work_units": cost,
+        "seconds": None,
+        "spacing": spacing,
+        "status": status,
+        "observed": observed,
+    }
+
+
+DEFINITIONS = {"other": {"methods": ["other"], "order": 1}}
+LADDER = [made_up("other", f"{h}", h, 5 + h, 1 / h) for h in (0.4, 0.2, 0.1)]
+
+
+def judged(row):
+    limits = accuracy.references(DEFINITIONS, LADDER)
+    classes = accuracy.expected_classes(DEFINITIONS, LADDER)
+    return next(iter(accuracy.judged("passages", row, "other", limits, classes)))
+
+
+def test_a_run_is_judged_by_the_limit_of_the_other_ladder():
+    found = judged(made_up("mine", "0.4", 0.4, 5.5, 7))
+    assert found["reference_value"] == pytest.approx(5.0)
+    assert found["error"] == pytest.approx(0.1)
+    assert found["status"] == "ok"
+
+
+def test_another_class_and_failed_runs_are_no_good_rows():
+    assert judged(made_up("mine", "a", 0.4, 5.5, 7, "zigzag"))["status"] == "other class"
+    failed = judged(made_up("mine", "b", 0.4, None, 7, "diverged"))
+    assert failed["status"] == "diverged" and failed["error"] is None
+
+
+def test_over_points_takes_the_worst_error_the_whole_cost_and_the_first_failure():
+    rows = [judged(made_up("mine", "0.4", 0.4, value, 7)) for value in (5.5, 6.0)]
+    joined = next(iter(accuracy.over_points(rows)))
+    assert (joined["error"], joined["work_units"], joined["status"]) == (pytest.approx(0.2), 14, "ok")
+    rows[1]["status"], rows[1]["error"] = "diverged", None
+    joined = next(iter(accuracy.over_points(rows)))
+    assert joined["error"] is None and joined["status"] == "diverged"
+
+
+def test_frontier_does_not_reward_errors_below_the_references_uncertainty():
+    rows = [
+        judged(made_up("mine", name, 0.4, value, cost))
+        for name, value, cost in (("cheap", 5.05, 1), ("lucky", 5.0, 9))
+    ]
+    for row in rows:
+        row["reference_uncertainty"] = 0.02
+    assert [row["on_frontier"] for row in accuracy.mark_frontiers(rows)] == [True, False]
+
+
+@pytest.fixture(scope="module")
+def table(results, call):
+    """Cost table, diagrams and conclusions of a tier of made-up runs."""
+    folder = results / "tables"
+    plan = {"plan": results / "plan.json"}
+    cheap, output = folder / "accuracy_cheap_models.csv", folder / "accuracy_cost.csv"
+    call("accuracy_cheap_models", **plan, output=cheap)
+    call("accuracy_table", **plan, runs=results / "runs", cheap=cheap, output=output)
+    return output
+
+
+def test_the_table_has_every_method_at_every_point_and_over_all(table, results):
+    rows = pd.read_csv(table)
+    assert {"study", "method", "setting", "error", "error_kind", "work_units", "seconds"} <= set(rows.columns)
+    assert {"on_frontier", "status"} <= set(rows.columns)
+    assert set(rows.study) == {"flow", "tweezer", "passages"}
+    for _, part in rows.groupby(["study", "error_kind", "point"]):
+        assert part.on_frontier.sum() >= 1 or (part.status != "ok").all()
+    exact = rows[(rows.method == "depth-averaged flow") & (rows.point == "all")]
+    assert len(exact) and (exact.error > 0).all()
+
+
+def test_diagrams_and_conclusions_follow_from_the_table(table, results, call):
+    plan = {"plan": results / "plan.json", "table": table}
+    for study in ("flow", "tweezer", "passages"):
+        pdf = results / "figures" / f"work_precision_{study}.pdf"
+        call("work_precision", **plan, study=study, csv=pdf.with_suffix(".csv"), output=pdf)
+        first = pdf.read_bytes()
+        call("work_precision", **plan, study=study, csv=pdf.with_suffix(".csv"), output=pdf)
+        assert pdf.read_bytes() == first
+        assert pdf.with_suffix(".png").stat().st_size > 10_000
+    text = results / "accuracy_conclusions.md"
+    call("accuracy_conclusions", **plan, runs=results / "runs", output=text)
+    written = text.read_text(encoding="utf-8")
+    assert written.count("| error at most |") == 7
+    assert ("## Presets" in written) == ("paper" in results.name)

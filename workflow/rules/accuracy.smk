@@ -1,0 +1,89 @@
+"""Accuracy against cost: error of every method and setting, and what it takes. Made by the target `accuracy`."""
+
+ACCURACY_STUDIES = ["flow", "tweezer", "passages"]
+ACCURACY_GROUPS = [f"accuracy-{study}" for study in ACCURACY_STUDIES]
+WORK_PRECISION_FILES = expand(
+    "{folder}/work_precision_{study}.{ext}", folder=FIGURES, study=ACCURACY_STUDIES, ext=["pdf", "png", "csv"]
+)
+ACCURACY_FILES = [
+    f"{TABLES}/accuracy_cost.csv",
+    f"{RESULTS}/accuracy_conclusions.md",
+    *WORK_PRECISION_FILES,
+]
+
+
+rule accuracy:
+    input:
+        ACCURACY_FILES,
+
+
+rule accuracy_cheap_models:
+    input:
+        plan=rules.plan.output,
+        script=f"{SCRIPTS}/accuracy_cheap_models.py",
+        package=PACKAGE,
+    output:
+        f"{TABLES}/accuracy_cheap_models.csv",
+    log:
+        f"{LOGS}/accuracy_cheap_models.log",
+    # One thread of the linear algebra, as the lattice Boltzmann runs have; its seconds are compared with theirs.
+    shell:
+        "OPENBLAS_NUM_THREADS=1 python {input.script} --plan {input.plan} --output {output} 2> {log}"
+
+
+rule accuracy_table:
+    input:
+        plan=rules.plan.output,
+        runs=of_runs("summary.json", *ACCURACY_GROUPS),
+        cheap=rules.accuracy_cheap_models.output,
+        script=f"{SCRIPTS}/accuracy_table.py",
+        package=PACKAGE,
+    output:
+        f"{TABLES}/accuracy_cost.csv",
+    log:
+        f"{LOGS}/accuracy_table.log",
+    params:
+        runs=RUNS,
+    shell:
+        """
+        python {input.script} --plan {input.plan} --runs {params.runs} --cheap {input.cheap} \
+            --output {output} 2> {log}
+        """
+
+
+rule accuracy_conclusions:
+    input:
+        plan=rules.plan.output,
+        table=rules.accuracy_table.output,
+        script=f"{SCRIPTS}/accuracy_conclusions.py",
+        package=PACKAGE,
+    output:
+        f"{RESULTS}/accuracy_conclusions.md",
+    log:
+        f"{LOGS}/accuracy_conclusions.log",
+    params:
+        runs=RUNS,
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --runs {params.runs} \
+            --output {output} 2> {log}
+        """
+
+
+rule work_precision:
+    input:
+        plan=rules.plan.output,
+        table=rules.accuracy_table.output,
+        script=f"{SCRIPTS}/work_precision.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/work_precision_{{study}}", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/work_precision_{{study}}.log",
+    wildcard_constraints:
+        study="|".join(ACCURACY_STUDIES),
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --study {wildcards.study} \
+            --csv {output.csv} --output {output.pdf} 2> {log}
+        """

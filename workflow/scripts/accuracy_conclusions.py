@@ -1,0 +1,111 @@
+"""What the frontiers say, in words: the cheapest setting for a wanted accuracy, what failed, the error of the
+presets, and the weight of a membrane update that the run times give. All of it comes from the table."""
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+from study.accuracy import ALL, GOOD
+from study.plan import read_json
+from study.runs import load_runs
+from study.tables import read_table
+
+GOALS = [0.1, 0.03, 0.01, 0.003]
+
+
+def name_of(row):
+    """Method and setting in words."""
+    return f"{row.method}, {row.setting}" if row.setting else row.method
+
+
+def cheapest(rows, goal):
+    """The cheapest good row whose error is told to be below the goal, or None."""
+    good = rows[(rows.status == "ok") & (np.fmax(rows.error, rows.reference_uncertainty.fillna(0)) <= goal)]
+    return good.loc[good.work_units.idxmin()] if good.work_units.notna().any() else None
+
+
+def goals_of(rows):
+    """Lines of a table: goal, cheapest setting, its error, work and seconds."""
+    yield "| error at most | cheapest setting | its error | node updates | seconds |"
+    yield "|---|---|---|---|---|"
+    for goal in GOALS:
+        row = cheapest(rows, goal)
+        if row is None:
+            floor = rows.reference_uncertainty.max()
+            why = "the reference is not that certain" if floor > goal else "none of the settings"
+            yield f"| {goal:g} | {why} | | | |"
+        else:
+            seconds = "" if row.seconds != row.seconds else f"{row.seconds:.2g}"
+            yield f"| {goal:g} | {name_of(row)} | {row.error:.1e} | {row.work_units:.1e} | {seconds} |"
+
+
+def failures_of(rows):
+    """Lines on the settings that did not end well."""
+    bad = rows[~rows.status.isin(["ok", "no reference"])].drop_duplicates(["method", "setting"])
+    for row in bad.itertuples():
+        yield f"- {name_of(row)}: {row.status}"
+
+
+def presets_of(table):
+    """Lines of a table: largest error of every preset over the points, with the reference's uncertainty."""
+    rows = table[(table.method == "preset") & (table.point == ALL)]
+    if rows.empty:
+        return
+    kinds = list(dict.fromkeys(rows.error_kind))
+    yield "## Presets\n"
+    yield "Largest error over the points; in brackets the uncertainty of the reference.\n"
+    yield "| preset | " + " | ".join(kinds) + " | node updates | seconds | status |"
+    yield "|---" * (len(kinds) + 4) + "|"
+    for setting, part in rows.groupby("setting", sort=False):
+        part = part.set_index("error_kind")
+        cells = [f"{part.error[kind]:.2g} ({part.reference_uncertainty[kind]:.1g})" for kind in kinds]
+        cost = part.iloc[0]
+        cells += [f"{cost.work_units:.2e}", f"{cost.seconds:.3g}", cost.status]
+        yield f"| {setting} | {' | '.join(cells)} |"
+
+
+def measured_weight(runs):
+    """Weight of a membrane update and nanoseconds of a node update, from the run times in single precision.
+
+    seconds = a (node updates + weight * membrane updates), least squares of the relative deviation. None
+    without enough runs, or where the times are too uneven to give positive numbers.
+    """
+    samples = []
+    for run in runs:
+        summary, seconds = run.summary, run.wall_s()
+        if summary["status"] in GOOD and seconds and run.case["fluid"]["precision"] == "single":
+            samples.append((summary["node_updates"] / seconds, summary["membrane_updates"] / seconds))
+    if len({round(membrane / node, 4) for node, membrane in samples if node}) < 3:
+        return None
+    (a, b), *_ = np.linalg.lstsq(np.array(samples), np.ones(len(samples)), rcond=None)
+    return (b / a, a * 1e9) if min(a, b) > 0 else None
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    for name in ("--plan", "--table", "--runs", "--output"):
+        parser.add_argument(name, required=True)
+    arguments = parser.parse_args()
+    plan, table = read_json(arguments.plan), read_table(arguments.table)
+    table["setting"] = table.setting.astype(object).where(table.setting.notna(), "").astype(str)
+    lines = ["# Accuracy against cost: what the frontiers say\n"]
+    lines += [f"**{plan['note']}**\n"] if plan["note"] else []
+    weight = plan["accuracy"]["membrane_update_weight"]
+    lines.append(
+        f"Errors are largest deviations over the points of a study from the limit of another scheme. Work is "
+        f"counted in updates of fluid nodes; a membrane node counts {weight:g}. Seconds are those of the "
+        "pipeline, with other runs beside each.\n"
+    )
+    found = measured_weight(load_runs(arguments.plan, arguments.runs, "accuracy-passages"))
+    if found:
+        text = f"a weight of {found[0]:.0f} and {found[1]:.1f} ns per node update"
+        lines.append(f"The run times of the passages give {text}.\n")
+    for (study, kind), rows in table[table.point == ALL].groupby(["study", "error_kind"], sort=False):
+        lines += [f"## {study}: {kind}\n", *goals_of(rows), ""]
+        failures = list(failures_of(rows))
+        lines += ["Not usable:\n", *failures, ""] if failures else []
+    lines += presets_of(table)
+    Path(arguments.output).write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+main()

@@ -1,0 +1,108 @@
+"""Work-precision diagram of one study: error against work units and against seconds, over all points.
+
+Lower left is better. Lines join the ladders of a method, the step line is the Pareto frontier, open markers
+at the upper edge are settings that failed or found another class, and the grey bands are the uncertainty of
+the references, below which nothing is told apart. Beside it stand the settings on the frontier.
+"""
+
+import argparse
+
+import numpy as np
+from study import style
+from study.accuracy import ALL
+from study.frontier import on_frontier, step_line
+from study.plan import read_json
+from study.tables import read_table, write_table
+
+COSTS = {"work_units": "work / node updates", "seconds": "run time / s"}
+MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">", "h", "p", "*", "d", "8"]
+COLUMNS = ["error_kind", "method", "setting", "error", "reference", "reference_uncertainty", "work_units"]
+COLUMNS += ["seconds", "status", "on_frontier"]
+STYLES = dict.fromkeys(["error", "reference_uncertainty", "work_units", "seconds"], ".3e")
+
+
+def resolved(rows):
+    """Errors as far as the references can tell."""
+    return np.fmax(rows.error.to_numpy(float), rows.reference_uncertainty.fillna(0.0).to_numpy(float))
+
+
+def looks(rows):
+    """Colour and marker of each method, in the order of the table."""
+    names = sorted(rows.method.unique())
+    colours = [colour for colour, _ in style.SERIES]
+    return {name: (colours[i % len(colours)], MARKERS[i % len(MARKERS)]) for i, name in enumerate(names)}
+
+
+def draw(axes, rows, cost, look, ladders):
+    """One panel: the settings of one kind of error against one cost."""
+    good = rows[(rows.status == "ok") & rows.error.notna() & rows[cost].notna()]
+    failed = rows[(rows.status != "ok") & rows[cost].notna()]
+    floors = sorted(set(rows.reference_uncertainty.dropna()))
+    shown = good[good.error > 0]
+    low = min([*shown.error, *floors], default=1e-3) / 2
+    high = 4 * max([*shown.error, *floors], default=1.0)
+    axes.set(xscale="log", yscale="log", ylim=(low, high), xlabel=COSTS[cost])
+    for floor in floors:
+        axes.axhspan(low, floor, color="#777777", alpha=0.18, lw=0, zorder=0)
+    kept = good[on_frontier(good[cost], resolved(good))]
+    if len(kept):
+        x, y = step_line(kept[cost], resolved(kept))
+        axes.plot(x, y, color=style.BLACK, lw=2.2, alpha=0.35, zorder=1, solid_capstyle="butt")
+    for method, part in shown.groupby("method"):
+        colour, marker = look[method]
+        ordered = part.sort_values(cost)
+        line = "-" if method in ladders else ""
+        axes.plot(ordered[cost], ordered.error, line, marker=marker, color=colour, lw=0.8, label=method)
+    for method, part in failed.groupby("method"):
+        colour, marker = look[method]
+        edge = np.full(len(part), high)
+        axes.plot(part[cost], edge, marker, color=colour, mfc="none", ms=6, clip_on=False, zorder=5)
+
+
+def list_frontier(axes, rows):
+    """The settings on the frontier as a small table."""
+    axes.set_axis_off()
+    kept = rows[rows.on_frontier == 1].sort_values("work_units")
+    places, line = (0.0, 0.72, 0.99), 1.0 / max(len(kept) + 1.5, 10)
+    heads = ("on the frontier", "error", "work")
+    aligned = ("left", "right", "right")
+    for place, text, align in zip(places, heads, aligned, strict=True):
+        axes.text(place, 1.0, text, weight="bold", ha=align, va="top", fontsize=7)
+    for number, row in enumerate(kept.to_dict("records"), 1):
+        setting = row["setting"] if isinstance(row["setting"], str) else ""
+        below = row["error"] < row["reference_uncertainty"]
+        error = f"< {row['reference_uncertainty']:.1e}" if below else f"{row['error']:.1e}"
+        texts = (" ".join([row["method"] + ":" * bool(setting), setting]), error, f"{row['work_units']:.1e}")
+        for place, text, align in zip(places, texts, aligned, strict=True):
+            axes.text(place, 1.0 - number * line, text, ha=align, va="top", fontsize=6.5)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    for name in ("--plan", "--table", "--study", "--csv", "--output"):
+        parser.add_argument(name, required=True)
+    arguments = parser.parse_args()
+    plan, table = read_json(arguments.plan), read_table(arguments.table)
+    table["setting"] = table.setting.astype(object).where(table.setting.notna(), "").astype(str)
+    rows = table[(table.study == arguments.study) & (table.point == ALL)]
+    write_table(rows.to_dict("records"), COLUMNS, arguments.csv, ["error_kind", "work_units"], STYLES)
+    kinds = list(dict.fromkeys(rows.error_kind))
+    methods = plan["accuracy"]["studies"].get(arguments.study, {}).get("methods", {})
+    ladders = {name for name, method in methods.items() if "ladder" in method} | {"depth-averaged flow"}
+    look = looks(rows)
+    figure = style.new_figure(10.0, 0.9 + 2.4 * len(kinds))
+    grid = figure.subplots(len(kinds), 3, squeeze=False, width_ratios=(1, 1, 1.05))
+    for line, kind in zip(grid, kinds, strict=True):
+        part = rows[rows.error_kind == kind]
+        for axes, cost in zip(line, COSTS, strict=False):
+            draw(axes, part, cost, look, ladders)
+        line[0].set_ylabel(f"error of {kind}")
+        list_frontier(line[2], part)
+    style_handles = {}
+    for axes in grid[:, :2].ravel():
+        style_handles |= dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
+    figure.legend(style_handles.values(), style_handles.keys(), loc="outside lower center", ncols=4)
+    style.save(figure, arguments.output, plan["note"])
+
+
+main()
