@@ -26,7 +26,7 @@ const std::vector<Preset>& presets() {
        {}},
       {"reference",
        {{"fluid", {{"lattice_spacing_um", 0.2}, {"relaxation_time", 1.1}, {"force_density", 1.1232e-4}}},
-        {"cell", {{"mesh_frequency", 14}}},
+        {"cell", {{"mesh_frequency", 12}}},
         {"coupling", {{"steps_per_update", 1}}}},
        {}},
   };
