@@ -1,8 +1,7 @@
 #pragma once
 /// Vectors stored as rows of four doubles (the last one unused), so that one vector is one load.
 ///
-/// Loops over a mesh read vectors by index. Three indexed reads (x, y, z) for every vector cost more than the
-/// arithmetic on them; a row is copied whole, and a run of copied rows is transposed in registers by the
+/// Loops over a mesh read vectors by index: a row is copied whole, and a run of copied rows is worked on by the
 /// vectorised loop that follows.
 #include <Eigen/Core>
 

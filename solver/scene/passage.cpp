@@ -60,7 +60,10 @@ class PassageRun {
         mid_plane(lattice_, [this](double x, double y) { return pillars_.signed_distance(x, y); });
     cell_.emplace(lattice_, membrane_, pillars_, make_coupling_model(case_),
                   start_positions(case_, membrane_.reference().vertices, pillars_, field));
-    sample_interval_ = std::clamp(2 * static_cast<int>(0.1 / mean_velocity_), 2, longest_interval);
+    // Whole updates of the cell, and an even number of steps: populations in place, nothing half done.
+    const int unit = 2 * case_.coupling.steps_per_update;
+    sample_interval_ =
+        std::max(unit, std::min(static_cast<int>(0.2 / mean_velocity_), longest_interval) / unit * unit);
     resume();
     if (steps_ == 0) save_checkpoint();  // a state to go back to, should the run fail before the first line
     context_.progress.start("passage");
