@@ -41,6 +41,7 @@ include: "workflow/rules/passages.smk"
 include: "workflow/rules/sensitivity.smk"
 include: "workflow/rules/stability.smk"
 include: "workflow/rules/accuracy.smk"
+include: "workflow/rules/performance.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/claims.smk"
 

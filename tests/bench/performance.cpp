@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <experimental/simd>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -21,6 +22,15 @@ using namespace dld;
 namespace stdx = std::experimental;
 
 constexpr int repetitions = 7;
+
+/// The processor's name; "unknown" where the system does not tell.
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
 
 /// Median seconds of one call.
 double seconds(const std::function<void()>& work) {
@@ -129,6 +139,8 @@ void fluid(int refinement, bool half, double peak) {
   });
   const double rate = static_cast<double>(lattice.fluid_nodes()) * 2 * (steps / 2) / time;
   const std::string size = std::to_string(80 * refinement) + "^2";
+  row("fluid nodes " + size, precision<Real>(), half ? "half" : "full",
+      static_cast<double>(lattice.fluid_nodes()), "1");
   row("fluid step " + size, precision<Real>(), half ? "half" : "full", rate * 1e-6, "MLUPS", rate / peak);
   row("memory " + size, precision<Real>(), half ? "half" : "full",
       static_cast<double>(lattice.memory_bytes()) / (1024 * 1024), "MiB");
@@ -154,10 +166,11 @@ void whole_step(int refinement, bool half) {
   row("whole step " + size, precision<Real>(), height, 1e3 * time / steps, "ms");
   if (sizeof(Real) == 8 || refinement > 1 || !half) return;
   Eigen::MatrixX3d f = x, v = x;
-  row("membrane forces", "double", "-", 1e3 * seconds([&] { membrane.forces(cell.positions(), f); }), "ms");
-  row("volume gradient", "double", "-", 1e3 * seconds([&] { membrane.volume_gradient(cell.positions(), v); }),
+  MembraneForces step_forces = membrane.step_forces(half ? MirrorSymmetry::about_z : MirrorSymmetry::none);
+  Eigen::MatrixX3d g = x;
+  row("membrane forces", "double", height, 1e3 * seconds([&] { step_forces.forces(cell.positions(), f, g); }),
       "ms");
-  row("regularisation", "double", "-", 1e3 * seconds([&] { tangential_relaxation(membrane, f, x, 0.01, v); }),
+  row("regularisation", "double", "-", 1e3 * seconds([&] { tangential_relaxation(membrane, f, g, 0.01, v); }),
       "ms");
   ImmersedBoundary<Real> boundary(lattice, Kernel::phi4, coupled_nodes(membrane.reference().vertices, half));
   const std::vector<std::uint8_t> near(static_cast<std::size_t>(x.rows()), 0);
@@ -192,6 +205,9 @@ void all() {
 
 int main() {
   std::printf("quantity,precision,height,threads,value,unit,share_of_roofline\n");
+  row("processor", "-", "-", 1, processor().c_str());
+  row("fluid steps per update", "-", "-", Case{}.coupling.steps_per_update, "1");
+  row("updates per inside/outside field", "-", "-", Case{}.cell.viscosity_update_interval, "1");
   all<float>();
   all<double>();
   return 0;

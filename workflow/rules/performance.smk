@@ -1,0 +1,45 @@
+"""How fast the solver is on this machine: made on request, `snakemake --cores 1 performance`, with the machine quiet."""
+
+PERFORMANCE_FILES = [
+    f"{TABLES}/performance.csv",
+    *multiext(f"{FIGURES}/performance", ".pdf", ".png", ".csv"),
+]
+
+
+rule performance:
+    input:
+        PERFORMANCE_FILES,
+
+
+rule performance_table:
+    input:
+        sources=solver_sources(),
+        bench="tests/bench/performance.cpp",
+        cmake="CMakeLists.txt",
+    output:
+        f"{TABLES}/performance.csv",
+    log:
+        f"{LOGS}/performance.log",
+    shell:
+        """
+        cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release > {log} 2>&1
+        cmake --build build --target performance >> {log} 2>&1
+        build/performance > {output} 2>> {log}
+        """
+
+
+rule performance_figure:
+    input:
+        plan=rules.plan.output,
+        table=rules.performance_table.output,
+        script=f"{SCRIPTS}/performance_figure.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/performance", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/performance_figure.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --csv {output.csv} \
+            --output {output.pdf} 2> {log}
+        """
