@@ -128,7 +128,7 @@ std::optional<Failure> check_membrane(const CellView& cell, const MonitorLimits&
   if (!(cell.state.min_face_ratio > limits.face_ratio)) {
     return Failure{"smallest face of the membrane", cell.state.min_face_ratio, limits.face_ratio,
                    node_place(cell, smallest_face_node(cell.membrane, cell.positions)),
-                   "use /coupling/regularisation force_difference with /coupling/kernel phi4, or a coarser "
+                   "use /coupling/regularisation tangential with /coupling/kernel phi4, or a coarser "
                    "/cell/mesh_frequency"};
   }
   return check_contact(cell, limits);

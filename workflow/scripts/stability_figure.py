@@ -3,6 +3,7 @@
 import argparse
 
 import numpy as np
+from matplotlib.colors import ListedColormap
 from study.plan import read_json
 from study.stability import STATUSES
 from study.style import BLACK, BLUE, PAGE, SKY, VERMILION, YELLOW, new_figure, plt, save
@@ -11,7 +12,7 @@ from study.tables import read_table
 FACES = {"works": SKY, "inaccurate": YELLOW, "fails": VERMILION}
 MARKERS = {"works": "o", "inaccurate": "^", "fails": "x"}
 NAMES = {
-    "/fluid/relaxation_time": r"relaxation time $\tau$",
+    "/fluid/relaxation_time": r"relaxation time $\tau - 1/2$",
     "/fluid/force_density": r"force density $f$ / lu",
     "/fluid/precision": "precision",
     "/cell/capillary_number": "Ca",
@@ -20,6 +21,7 @@ NAMES = {
     "/cell/mesh_frequency": "mesh frequency",
     "/cell/viscosity_ratio": "viscosity ratio",
     "/cell/bending_ratio": r"$k_B$ / ($k_S r^2$)",
+    "/coupling/steps_per_update": "fluid steps per membrane update",
     "/coupling/pillar_repulsion": r"repulsion / ($p' l\,dx^2$)",
 }
 COLUMNS = 3
@@ -34,8 +36,13 @@ def edges(values):
     return np.exp(np.concatenate([[2 * logs[0] - inner[0]], inner, [2 * logs[-1] - inner[-1]]]))
 
 
-def axis_of(values):
-    """Places of the values on the axis and their names: numbers as they are, words as 1, 2, ..."""
+def axis_of(values, key):
+    """Places of the values on the axis and their names: numbers as they are, words as 1, 2, ...
+
+    The relaxation time is drawn by its distance from 1/2, to which the viscosity is proportional.
+    """
+    if key == "/fluid/relaxation_time":
+        return np.asarray(values, float) - 0.5, None
     words = not np.issubdtype(np.asarray(values).dtype, np.number)
     places = np.arange(1, len(values) + 1, dtype=float) if words else np.asarray(values, float)
     return places, list(values) if words else None
@@ -59,14 +66,15 @@ def draw(axes, frame):
     """One map."""
     xs, ys = numbers(frame.x), numbers(frame.y)
     frame = frame.assign(x=[type(xs[0])(v) for v in frame.x], y=[type(ys[0])(v) for v in frame.y])
-    (px, x_words), (py, y_words) = axis_of(xs), axis_of(ys)
+    (px, x_words), (py, y_words) = axis_of(xs, frame.x_name.iloc[0]), axis_of(ys, frame.y_name.iloc[0])
     status = grid(frame, "status", xs, ys)
     axes.set(xscale="linear" if x_words else "log", yscale="linear" if y_words else "log")
     x_edges = np.arange(len(px) + 1) + 0.5 if x_words else edges(px)
     y_edges = np.arange(len(py) + 1) + 0.5 if y_words else edges(py)
     for name in STATUSES:
         chosen = np.where(status == name, 1.0, np.nan)
-        axes.pcolormesh(x_edges, y_edges, chosen, color=FACES[name], alpha=0.45, linewidth=0, rasterized=True)
+        colour = ListedColormap([FACES[name]])
+        axes.pcolormesh(x_edges, y_edges, chosen, cmap=colour, alpha=0.5, linewidth=0, rasterized=True)
         j, i = np.nonzero(status == name)
         axes.scatter(px[i], py[j], s=9, marker=MARKERS[name], color=BLACK, linewidths=0.7)
     share = grid(frame, "predicted_share", xs, ys).astype(float)
