@@ -8,6 +8,7 @@ the references, below which nothing is told apart. Beside it stand the settings 
 import argparse
 
 import numpy as np
+from matplotlib.ticker import LogLocator, NullFormatter
 from study import style
 from study.accuracy import ALL
 from study.frontier import on_frontier, step_line
@@ -18,6 +19,7 @@ COSTS = {"work_units": "work / node updates", "seconds": "run time / s"}
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">", "h", "p", "*", "d", "8"]
 COLUMNS = ["error_kind", "method", "setting", "error", "reference", "reference_uncertainty", "work_units"]
 COLUMNS += ["seconds", "status", "on_frontier"]
+LISTED = 12  # settings of the frontier that find room beside the diagram
 STYLES = dict.fromkeys(["error", "reference_uncertainty", "work_units", "seconds"], ".3e")
 
 
@@ -38,21 +40,29 @@ def draw(axes, rows, cost, look, ladders):
     good = rows[(rows.status == "ok") & rows.error.notna() & rows[cost].notna()]
     failed = rows[(rows.status != "ok") & rows[cost].notna()]
     floors = sorted(set(rows.reference_uncertainty.dropna()))
-    shown = good[good.error > 0]
-    low = min([*shown.error, *floors], default=1e-3) / 2
-    high = 4 * max([*shown.error, *floors], default=1.0)
+    levels = [level for level in (*good.error, *floors) if level > 0] or [1e-3]
+    low, high = min(levels) / 2, 4 * max(levels)
     axes.set(xscale="log", yscale="log", ylim=(low, high), xlabel=COSTS[cost])
+    axes.xaxis.set_major_locator(LogLocator(numticks=8))
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    spread = rows[cost].dropna()
+    if len(spread) and spread.min() > 0:
+        # At least one decade, so that there is a labelled tick.
+        middle, decades = np.sqrt(spread.min() * spread.max()), np.log10(spread.max() / spread.min())
+        reach = 10 ** (0.5 * max(1.1 * decades, 1.2))
+        axes.set_xlim(middle / reach, middle * reach)
     for floor in floors:
         axes.axhspan(low, floor, color="#777777", alpha=0.18, lw=0, zorder=0)
     kept = good[on_frontier(good[cost], resolved(good))]
     if len(kept):
         x, y = step_line(kept[cost], resolved(kept))
         axes.plot(x, y, color=style.BLACK, lw=2.2, alpha=0.35, zorder=1, solid_capstyle="butt")
-    for method, part in shown.groupby("method"):
+    for method, part in good.groupby("method"):
         colour, marker = look[method]
         ordered = part.sort_values(cost)
         line = "-" if method in ladders else ""
-        axes.plot(ordered[cost], ordered.error, line, marker=marker, color=colour, lw=0.8, label=method)
+        errors = ordered.error.clip(lower=low)  # none at all: at the lower edge
+        axes.plot(ordered[cost], errors, line, marker=marker, color=colour, lw=0.8, label=method)
     for method, part in failed.groupby("method"):
         colour, marker = look[method]
         edge = np.full(len(part), high)
@@ -62,17 +72,21 @@ def draw(axes, rows, cost, look, ladders):
 def list_frontier(axes, rows):
     """The settings on the frontier as a small table."""
     axes.set_axis_off()
-    kept = rows[rows.on_frontier == 1].sort_values("work_units")
-    places, line = (0.0, 0.72, 0.99), 1.0 / max(len(kept) + 1.5, 10)
+    kept = rows[rows.on_frontier == 1].sort_values("work_units").groupby(["work_units", "error"], sort=False)
+    places, line = (0.0, 0.74, 0.99), 1.0 / (LISTED + 2)
     heads = ("on the frontier", "error", "work")
     aligned = ("left", "right", "right")
     for place, text, align in zip(places, heads, aligned, strict=True):
         axes.text(place, 1.0, text, weight="bold", ha=align, va="top", fontsize=7)
-    for number, row in enumerate(kept.to_dict("records"), 1):
-        setting = row["setting"] if isinstance(row["setting"], str) else ""
-        below = row["error"] < row["reference_uncertainty"]
-        error = f"< {row['reference_uncertainty']:.1e}" if below else f"{row['error']:.1e}"
-        texts = (" ".join([row["method"] + ":" * bool(setting), setting]), error, f"{row['work_units']:.1e}")
+    for number, ((work, error), part) in enumerate(kept, 1):
+        if number > LISTED:
+            axes.text(0, 1.0 - number * line, f"and {len(kept) - LISTED} more", va="top", fontsize=6.5)
+            break
+        row = part.iloc[0]
+        name = f"{row.method}: {row.setting}" if row.setting else row.method
+        name += f" (and {len(part) - 1} equal)" if len(part) > 1 else ""
+        below = error < row.reference_uncertainty
+        texts = (name, f"< {row.reference_uncertainty:.1e}" if below else f"{error:.1e}", f"{work:.1e}")
         for place, text, align in zip(places, texts, aligned, strict=True):
             axes.text(place, 1.0 - number * line, text, ha=align, va="top", fontsize=6.5)
 
