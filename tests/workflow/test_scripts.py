@@ -175,14 +175,20 @@ def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, root
         call("fig06_trajectories", **plan, trajectories=folder / "fig06.csv", output=folder / "fig06.pdf")
         output = {"csv": folder / "classes.csv", "output": folder / "fig06_classes.pdf"}
         call("fig06_classes", **plan, table=results / "tables/passages.csv", **output)
+        tables = {
+            "passages": results / "tables/passages.csv",
+            "boundary": results / "tables/phase_boundary.csv",
+        }
+        tables |= {"fits": results / "tables/fits.csv", "claims": root / "params/claims.json"}
+        call("fig07_phase_space", **plan, **tables, csv=folder / "fig07.csv", output=folder / "fig07.pdf")
         given = {"table": results / "tables/streamline_separation.csv", "fits": results / "tables/fits.csv"}
         output = {"csv": folder / "table01.csv", "output": folder / "table01.pdf"}
         call("table01_separation", **plan, **given, claims=root / "params/claims.json", **output)
         return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
 
     first = make(results / "figures")
-    assert sum(name.endswith(".pdf") for name in first) == 7
-    assert sum(name.endswith(".png") for name in first) == 7
+    assert sum(name.endswith(".pdf") for name in first) == 8
+    assert sum(name.endswith(".png") for name in first) == 8
     if "smoke" in results.name:
         second = make(results / "figures-again")
         assert [name for name in first if first[name] != second[name]] == []

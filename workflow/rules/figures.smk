@@ -3,7 +3,7 @@
 Data rules read HDF5 and write CSV; drawing rules read CSV alone.
 """
 
-FIGURE_NAMES = ["fig02", "fig03", "fig04", "fig05", "fig06", "fig06_classes", "table01"]
+FIGURE_NAMES = ["fig02", "fig03", "fig04", "fig05", "fig06", "fig06_classes", "fig07", "table01"]
 FIGURE_FILES = expand("{folder}/{name}.{ext}", folder=FIGURES, name=FIGURE_NAMES, ext=["pdf", "png", "csv"])
 
 
@@ -161,6 +161,26 @@ rule figure_classes:
         """
         python {input.script} --plan {input.plan} --table {input.table} --csv {output.csv} \
             --output {output.pdf} 2> {log}
+        """
+
+
+rule figure_phase_space:
+    input:
+        plan=rules.plan.output,
+        passages=rules.passages_table.output,
+        boundary=rules.boundary_tables.output.boundary,
+        fits=rules.boundary_fits.output,
+        claims=CLAIMS,
+        script=f"{SCRIPTS}/fig07_phase_space.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig07", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/fig07.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --passages {input.passages} --boundary {input.boundary} \
+            --fits {input.fits} --claims {input.claims} --csv {output.csv} --output {output.pdf} 2> {log}
         """
 
 

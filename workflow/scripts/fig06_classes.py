@@ -1,4 +1,4 @@
-"""Companion of Figure 6: class and lateral extent D_perp of every cell of the sweep, in colours."""
+"""Companion of Figure 6: class and lateral extent D_perp of every cell of the whole sweep, in colours."""
 
 import argparse
 
@@ -18,16 +18,24 @@ COLUMNS = [
     "film_um",
 ]
 
+# A class in a field, beside its colour.
+SHORT = {"displaced": "D", "zigzag": "Z", "undecided": "?", "diverged": "×", "interrupted": "–"}
+SIZE = 6.5  # of the numbers in the fields, points
+
 
 def draw(axes, table):
-    """One coloured field for each pair of row shift and capillary number."""
+    """One coloured field with D_perp in um for each pair of row shift and capillary number."""
     shifts, numbers = sorted(table.row_shift_um.unique()), sorted(table.capillary_number.unique())
     for row in table.to_dict("records"):
         i, j = numbers.index(row["capillary_number"]), shifts.index(row["row_shift_um"])
-        colour, label = style.CLASSES[row["class"]]
-        axes.add_patch(plt.Rectangle((i, j), 1, 1, fc=to_rgba(colour, 0.25), ec="white", lw=2))
-        extent = "" if row["d_perp_um"] != row["d_perp_um"] else f"\n{row['d_perp_um']:.2f} μm"
-        axes.text(i + 0.5, j + 0.5, label + extent, ha="center", va="center")
+        colour, _ = style.CLASSES[row["class"]]
+        axes.add_patch(plt.Rectangle((i, j), 1, 1, fc=to_rgba(colour, 0.25), ec="white", lw=1.5))
+        extent = "" if row["d_perp_um"] != row["d_perp_um"] else f"\n{row['d_perp_um']:.2f}"
+        axes.text(i + 0.5, j + 0.5, SHORT[row["class"]] + extent, ha="center", va="center", fontsize=SIZE)
+    for label in sorted(set(table["class"])):
+        colour, name = style.CLASSES[label]
+        axes.add_patch(plt.Rectangle((0, 0), 0, 0, fc=to_rgba(colour, 0.25), label=f"{SHORT[label]}: {name}"))
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=5, title=r"class, $D_\perp$ / μm")
     axes.set_xticks([i + 0.5 for i in range(len(numbers))], [f"{value:g}" for value in numbers])
     names = [rf"{shift:.1f} ({2.5 * shift:g}/80)" for shift in shifts]
     axes.set_yticks([j + 0.5 for j in range(len(shifts))], names)
@@ -42,15 +50,10 @@ def main():
         parser.add_argument(name, required=True)
     arguments = parser.parse_args()
     plan, table = read_json(arguments.plan), read_table(arguments.table)
-    figures = plan["figures"]
-    chosen = table[
-        (table.sweep == figures["trajectory_sweep"])
-        & table.row_shift_um.isin(figures["trajectory_row_shifts_um"])
-        & table.capillary_number.isin(figures["trajectory_capillary_numbers"])
-    ]
+    chosen = table[table.sweep == plan["figures"]["trajectory_sweep"]]
     styles = dict.fromkeys(COLUMNS[3:], ".3f") | {"row_shift_um": ".1f"}
     write_table(chosen.to_dict("records"), COLUMNS, arguments.csv, COLUMNS[:2], styles)
-    figure = style.new_figure(5.0, 0.9 + 0.48 * chosen.row_shift_um.nunique())
+    figure = style.new_figure(style.PAGE, 1.1 + 0.34 * chosen.row_shift_um.nunique())
     draw(figure.add_subplot(), chosen)
     style.save(figure, arguments.output, plan["note"])
 

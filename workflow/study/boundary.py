@@ -96,12 +96,12 @@ def _closed(low, high):
     return ~np.isnan(low) & ~np.isnan(high)
 
 
-def fit_boundary(shifts, low, high):
-    """Interval-censored maximum likelihood of d = a + b exp(-c Ca) through brackets [low, high] of Ca at row
-    shifts d (um); NaN: no displaced (zigzag) point. Returns (values, standard errors, 2.5 %, 97.5 %,
-    scatter).
+def bootstrap_boundary(shifts, low, high):
+    """Most likely (offset, amplitude, rate, scatter) of d = a + b exp(-c Ca) through brackets [low, high] of
+    Ca at row shifts d (um), NaN: no displaced (zigzag) point; and (offset, amplitude, rate) of resampled
+    brackets, (SAMPLES, 3).
 
-    The uncertainty is a bootstrap over the brackets. None with fewer than four closed brackets.
+    None with fewer than four closed brackets.
     """
     shifts, low, high = (np.asarray(array, float) for array in (shifts, low, high))
     if _closed(low, high).sum() < 4:
@@ -119,7 +119,18 @@ def fit_boundary(shifts, low, high):
         closed = pick[_closed(low[pick], high[pick])]
         if len(set(closed)) >= 4:
             samples.append(values(_maximum_likelihood(shifts[pick], low[pick], high[pick], best)))
-    samples = np.array(samples)
+    return np.append(values(best), SMALLEST_SCATTER_UM + math.exp(best[3])), np.array(samples)
+
+
+def fit_boundary(shifts, low, high):
+    """Interval-censored maximum likelihood of d = a + b exp(-c Ca) through brackets, see bootstrap_boundary.
+    Returns (values, standard errors, 2.5 %, 97.5 %, scatter).
+
+    The uncertainty is a bootstrap over the brackets. None with fewer than four closed brackets.
+    """
+    found = bootstrap_boundary(shifts, low, high)
+    if found is None:
+        return None
+    best, samples = found
     ends = np.percentile(samples, [2.5, 97.5], axis=0)
-    scatter = SMALLEST_SCATTER_UM + math.exp(best[3])
-    return values(best), samples.std(axis=0, ddof=1), ends[0], ends[1], scatter
+    return best[:3], samples.std(axis=0, ddof=1), ends[0], ends[1], best[3]
