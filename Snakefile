@@ -55,6 +55,7 @@ rule all:
         PASSAGE_TABLES,
         SENSITIVITY_TABLES,
         FIGURE_FILES,
+        ANIMATION_FILES,
         CLAIM_FILES,
 
 

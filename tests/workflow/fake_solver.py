@@ -171,6 +171,10 @@ def passage(case, file):
     put(file, "membrane/reference", vertices)
     for row in range(rows):
         put(file, f"membrane/crossing_{row:03d}/vertices", vertices * np.array([1.1, 0.8, 1.0]))
+    for number in range(rows * case["output"]["snapshots_per_row"]):
+        name = f"membrane/snapshot_{number:03d}"
+        put(file, f"{name}/vertices", vertices + np.array([x[number], y[number], 0.0]))
+        file[name].attrs["step"] = 40 * number
     extent = crossings(case, file, label, rows)
     summary = {"d_perp_um": extent, "d_perp_at_centre_um": extent - 0.1, "centre_um": 3.0, "film_um": 0.5}
     summary |= {"area_change": 0.002, "volume_change": 1e-6, "min_face_ratio": 0.7}

@@ -184,11 +184,18 @@ def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, root
         given = {"table": results / "tables/streamline_separation.csv", "fits": results / "tables/fits.csv"}
         output = {"csv": folder / "table01.csv", "output": folder / "table01.pdf"}
         call("table01_separation", **plan, **given, claims=root / "params/claims.json", **output)
+        shapes = {name: folder / f"fig08_{name}.csv" for name in ("shapes", "outlines", "faces", "numbers")}
+        call("gap_sections", **plan, **runs, **shapes)
+        separation = results / "tables/streamline_separation.csv"
+        call("fig08_shapes", **plan, **shapes, separation=separation, output=folder / "fig08.pdf")
+        call("animation_outlines", **plan, **runs, output=folder / "animation.csv")
+        output = {"name": "zigzag", "output": folder / "animation_zigzag.gif"}
+        call("animation", **plan, outlines=folder / "animation.csv", **output)
         return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
 
     first = make(results / "figures")
-    assert sum(name.endswith(".pdf") for name in first) == 8
-    assert sum(name.endswith(".png") for name in first) == 8
+    assert sum(name.endswith(".pdf") for name in first) == 9
+    assert sum(name.endswith(".png") for name in first) == 9
     if "smoke" in results.name:
         second = make(results / "figures-again")
         assert [name for name in first if first[name] != second[name]] == []

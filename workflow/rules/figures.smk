@@ -5,6 +5,8 @@ Data rules read HDF5 and write CSV; drawing rules read CSV alone.
 
 FIGURE_NAMES = ["fig02", "fig03", "fig04", "fig05", "fig06", "fig06_classes", "fig07", "table01"]
 FIGURE_FILES = expand("{folder}/{name}.{ext}", folder=FIGURES, name=FIGURE_NAMES, ext=["pdf", "png", "csv"])
+FIGURE_FILES += expand("{folder}/fig08{part}", folder=FIGURES, part=[".pdf", ".png"])
+ANIMATION_FILES = expand("{folder}/animation_{name}.gif", folder=FIGURES, name=PLAN["figures"]["animations"])
 
 
 rule figure_geometry:
@@ -201,3 +203,85 @@ rule figure_separation:
         python {input.script} --plan {input.plan} --table {input.table} --fits {input.fits} \
             --claims {input.claims} --csv {output.csv} --output {output.pdf} 2> {log}
         """
+
+
+rule gap_sections:
+    input:
+        plan=rules.plan.output,
+        runs=of_runs("run.h5", "passages"),
+        script=f"{SCRIPTS}/gap_sections.py",
+        package=PACKAGE,
+    output:
+        shapes=f"{FIGURES}/fig08_shapes.csv",
+        outlines=f"{FIGURES}/fig08_outlines.csv",
+        faces=f"{FIGURES}/fig08_faces.csv",
+        numbers=f"{FIGURES}/fig08.csv",
+    log:
+        f"{LOGS}/gap_sections.log",
+    params:
+        runs=RUNS,
+    shell:
+        """
+        python {input.script} --plan {input.plan} --runs {params.runs} --shapes {output.shapes} \
+            --outlines {output.outlines} --faces {output.faces} --numbers {output.numbers} 2> {log}
+        """
+
+
+rule figure_shapes:
+    input:
+        plan=rules.plan.output,
+        shapes=rules.gap_sections.output.shapes,
+        outlines=rules.gap_sections.output.outlines,
+        faces=rules.gap_sections.output.faces,
+        numbers=rules.gap_sections.output.numbers,
+        separation=rules.streamline_table.output,
+        script=f"{SCRIPTS}/fig08_shapes.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig08", pdf=".pdf", png=".png"),
+    log:
+        f"{LOGS}/fig08.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --shapes {input.shapes} --outlines {input.outlines} \
+            --faces {input.faces} --numbers {input.numbers} --separation {input.separation} \
+            --output {output.pdf} 2> {log}
+        """
+
+
+rule animation_outlines:
+    input:
+        plan=rules.plan.output,
+        runs=of_runs("run.h5", "passages"),
+        script=f"{SCRIPTS}/animation_outlines.py",
+        package=PACKAGE,
+    output:
+        f"{FIGURES}/animation.csv",
+    log:
+        f"{LOGS}/animation_outlines.log",
+    params:
+        runs=RUNS,
+    shell:
+        "python {input.script} --plan {input.plan} --runs {params.runs} --output {output} 2> {log}"
+
+
+rule animation:
+    input:
+        plan=rules.plan.output,
+        outlines=rules.animation_outlines.output,
+        script=f"{SCRIPTS}/animation.py",
+        package=PACKAGE,
+    output:
+        f"{FIGURES}/animation_{{name}}.gif",
+    log:
+        f"{LOGS}/animation_{{name}}.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --outlines {input.outlines} --name {wildcards.name} \
+            --output {output} 2> {log}
+        """
+
+
+rule animations:
+    input:
+        ANIMATION_FILES,

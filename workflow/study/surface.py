@@ -1,4 +1,4 @@
-"""Shaded pictures of triangulated cells."""
+"""Shaded pictures of triangulated cells and their sections with planes."""
 
 import numpy as np
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
@@ -28,3 +28,38 @@ def draw_cell(axes, vertices, faces, half_width, colour=(0.85, 0.22, 0.18), elev
     axes.set(xlim=(-half_width, half_width), ylim=(-half_width, half_width), zlim=(-half_width, half_width))
     axes.set_box_aspect((1, 1, 1), zoom=1.8)
     axes.set_axis_off()
+
+
+def section(vertices, faces, axis, value):
+    """Segments (n, 2, 3) in which the plane `axis` = value (um) cuts the triangles.
+
+    The plane is moved by a millionth of a um so that it meets no vertex.
+    """
+    height = vertices[:, axis] - (value + 1e-6)
+    starts, ends = vertices[faces], vertices[np.roll(faces, -1, axis=1)]
+    low, high = height[faces], height[np.roll(faces, -1, axis=1)]
+    cut = low * high < 0
+    share = low / np.where(cut, low - high, 1.0)
+    points = starts + share[..., None] * (ends - starts)
+    return points[cut].reshape(-1, 2, 3)  # a plane cuts no or two edges of a triangle
+
+
+def outline(vertices, faces, axis=2, value=0.0):
+    """The section with a plane as a closed line (n + 1, 3); the longest, should there be several."""
+    segments = section(vertices, faces, axis, value)
+    links = {}
+    for index, ends in enumerate(np.round(segments, 9)):
+        for end in map(tuple, ends):
+            links.setdefault(end, []).append(index)
+    left, lines = set(range(len(segments))), []
+    while left:
+        index = min(left)
+        here, line = tuple(np.round(segments[index, 0], 9)), []
+        while index is not None:
+            left.discard(index)
+            line.append(here)
+            ends = list(map(tuple, np.round(segments[index], 9)))
+            here = ends[1] if ends[0] == here else ends[0]
+            index = next((other for other in links[here] if other in left), None)
+        lines.append([*line, here])
+    return np.array(max(lines, key=len)) if lines else np.empty((0, 3))
