@@ -161,6 +161,8 @@ def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, root
         plan, runs = {"plan": results / "plan.json"}, {"runs": results / "runs"}
         shapes = {name: folder / f"{name}.csv" for name in ("fig03", "fig05", "faces")}
         folder.mkdir()
+        call("array_lines", **plan, **runs, output=folder / "fig01.csv")
+        call("fig01_array", **plan, lines=folder / "fig01.csv", output=folder / "fig01.pdf")
         call("fig02_geometry", **plan, csv=folder / "fig02.csv", output=folder / "fig02.pdf")
         call("cell_shapes", **plan, **runs, **shapes)
         faces = {"faces": shapes["faces"]}
@@ -194,8 +196,8 @@ def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, root
         return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
 
     first = make(results / "figures")
-    assert sum(name.endswith(".pdf") for name in first) == 9
-    assert sum(name.endswith(".png") for name in first) == 9
+    assert sum(name.endswith(".pdf") for name in first) == 10
+    assert sum(name.endswith(".png") for name in first) == 10
     if "smoke" in results.name:
         second = make(results / "figures-again")
         assert [name for name in first if first[name] != second[name]] == []

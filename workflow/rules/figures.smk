@@ -3,10 +3,40 @@
 Data rules read HDF5 and write CSV; drawing rules read CSV alone.
 """
 
-FIGURE_NAMES = ["fig02", "fig03", "fig04", "fig05", "fig06", "fig06_classes", "fig07", "table01"]
+FIGURE_NAMES = ["fig01", "fig02", "fig03", "fig04", "fig05", "fig06", "fig06_classes", "fig07", "table01"]
 FIGURE_FILES = expand("{folder}/{name}.{ext}", folder=FIGURES, name=FIGURE_NAMES, ext=["pdf", "png", "csv"])
 FIGURE_FILES += expand("{folder}/fig08{part}", folder=FIGURES, part=[".pdf", ".png"])
 ANIMATION_FILES = expand("{folder}/animation_{name}.gif", folder=FIGURES, name=PLAN["figures"]["animations"])
+
+
+rule array_lines:
+    input:
+        plan=rules.plan.output,
+        runs=of_runs("run.h5", "streamlines", "passages"),
+        script=f"{SCRIPTS}/array_lines.py",
+        package=PACKAGE,
+    output:
+        f"{FIGURES}/fig01.csv",
+    log:
+        f"{LOGS}/array_lines.log",
+    params:
+        runs=RUNS,
+    shell:
+        "python {input.script} --plan {input.plan} --runs {params.runs} --output {output} 2> {log}"
+
+
+rule figure_array:
+    input:
+        plan=rules.plan.output,
+        lines=rules.array_lines.output,
+        script=f"{SCRIPTS}/fig01_array.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig01", pdf=".pdf", png=".png"),
+    log:
+        f"{LOGS}/fig01.log",
+    shell:
+        "python {input.script} --plan {input.plan} --lines {input.lines} --output {output.pdf} 2> {log}"
 
 
 rule figure_geometry:
