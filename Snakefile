@@ -43,6 +43,7 @@ include: "workflow/rules/stability.smk"
 include: "workflow/rules/accuracy.smk"
 include: "workflow/rules/performance.smk"
 include: "workflow/rules/figures.smk"
+include: "workflow/rules/figures_extent.smk"
 include: "workflow/rules/claims.smk"
 
 
@@ -56,6 +57,7 @@ rule all:
         SENSITIVITY_TABLES,
         FIGURE_FILES,
         ANIMATION_FILES,
+        EXTENT_FIGURES,
         CLAIM_FILES,
 
 

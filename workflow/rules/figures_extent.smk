@@ -1,0 +1,94 @@
+"""The figures of the lateral extent of a cell and of what decides its class: CSV in, PDF, PNG and CSV out."""
+
+EXTENT_FIGURES = expand(
+    "{folder}/{name}.{ext}",
+    folder=FIGURES,
+    name=["fig09", "fig10", "fig_return_maps", "fig_film", "fig_speed"],
+    ext=["pdf", "png", "csv"],
+) + [f"{FIGURES}/fig09_factors.csv"]
+
+
+rule figure_extent_row_shift:
+    input:
+        plan=rules.plan.output,
+        table=rules.passages_table.output,
+        fits=rules.boundary_fits.output,
+        claims=CLAIMS,
+        script=f"{SCRIPTS}/fig09_extent_row_shift.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig09", pdf=".pdf", png=".png", csv=".csv"),
+        factors=f"{FIGURES}/fig09_factors.csv",
+    log:
+        f"{LOGS}/fig09.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --fits {input.fits} \
+            --claims {input.claims} --factors {output.factors} --csv {output.csv} --output {output.pdf} 2> {log}
+        """
+
+
+rule figure_extent_capillary:
+    input:
+        plan=rules.plan.output,
+        table=rules.passages_table.output,
+        stretching=rules.stretching_table.output,
+        claims=CLAIMS,
+        script=f"{SCRIPTS}/fig10_extent_capillary.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig10", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/fig10.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --stretching {input.stretching} \
+            --claims {input.claims} --csv {output.csv} --output {output.pdf} 2> {log}
+        """
+
+
+rule figure_return_maps:
+    input:
+        plan=rules.plan.output,
+        table=rules.crossings_table.output.maps,
+        script=f"{SCRIPTS}/fig_return_maps.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig_return_maps", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/fig_return_maps.log",
+    shell:
+        "python {input.script} --plan {input.plan} --table {input.table} --csv {output.csv} --output {output.pdf} 2> {log}"
+
+
+rule figure_film:
+    input:
+        plan=rules.plan.output,
+        table=rules.passages_table.output,
+        script=f"{SCRIPTS}/fig_film.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig_film", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/fig_film.log",
+    shell:
+        "python {input.script} --plan {input.plan} --table {input.table} --csv {output.csv} --output {output.pdf} 2> {log}"
+
+
+rule figure_speed:
+    input:
+        plan=rules.plan.output,
+        table=rules.passages_table.output,
+        crossings=rules.crossings_table.output.crossings,
+        boundary=rules.boundary_tables.output.boundary,
+        script=f"{SCRIPTS}/fig_speed.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig_speed", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/fig_speed.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --crossings {input.crossings} \
+            --boundary {input.boundary} --csv {output.csv} --output {output.pdf} 2> {log}
+        """

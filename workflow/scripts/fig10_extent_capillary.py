@@ -1,0 +1,57 @@
+"""Figure 10: lateral extent D_perp against the capillary number, filled where the paper finds one curve for
+all row shifts, with the transverse diameter of the optical tweezer at Ca_tw = (2 F / A) r / kS = Ca."""
+
+import numpy as np
+from study import style
+from study.claims import load_claims
+from study.extent import GREY, capillary_axis, draw_classes, figure_arguments, note_missing, of_sweep
+from study.plan import read_json
+from study.tables import read_table, write_table
+from study.tweezer import TweezerCurve
+
+COLUMNS = ["row_shift_um", "capillary_number", "class", "in_window", "d_perp_um"]
+LINES = [(0, (1, 1)), (0, (5, 2)), (0, (3, 1, 1, 1))]
+
+
+def draw_tweezer(axes, curve, denominators, cell):
+    """Diameter of the tweezer for every denominator, that of the cells strongest."""
+    numbers = np.geomspace(0.05, 3, 200)
+    lines = iter(LINES * 3)
+    for denominator in sorted(denominators, reverse=True):
+        diameters = np.array([curve.diameter(number, denominator) for number in numbers])
+        look = (
+            {"color": style.BLACK, "lw": 1.4}
+            if denominator == cell
+            else {"color": GREY, "lw": 0.8, "ls": next(lines)}
+        )
+        if np.isfinite(diameters).any():
+            axes.plot(numbers, diameters, label=rf"tweezer, $k$ = {denominator:g}", **look)
+
+
+def main():
+    arguments = figure_arguments(__doc__, "table", "stretching", "claims")
+    plan, curve = read_json(arguments.plan), TweezerCurve(read_table(arguments.stretching))
+    rows = of_sweep(read_table(arguments.table), plan)
+    low, high = load_claims(arguments.claims)["collapse"]["value"]
+    rows = rows.assign(in_window=rows.row_shift_um.between(low - 1e-6, high + 1e-6))
+    denominators = plan["figures"]["tweezer_denominators"]
+    cell = rows.skalak_denominator.iloc[0] if len(rows) else max(denominators)
+    names = [f"tweezer_{denominator:g}_um" for denominator in denominators]
+    for name, denominator in zip(names, denominators, strict=True):
+        rows[name] = [curve.diameter(number, denominator) for number in rows.capillary_number]
+    styles = dict.fromkeys(["d_perp_um", *names], ".3f") | {"row_shift_um": ".1f", "capillary_number": ".4g"}
+    write_table(rows.to_dict("records"), COLUMNS + names, arguments.csv, COLUMNS[:2], styles)
+    figure = style.new_figure(4.6, 3.4)
+    axes = figure.add_subplot()
+    draw_classes(axes, rows, "capillary_number", "d_perp_um", rows.in_window)
+    axes.plot([], [], "o", color=GREY, label=rf"filled: $d$ from {low:g} to {high:g} μm")
+    axes.plot([], [], "o", color=GREY, mfc="none", label="open: other row shifts")
+    draw_tweezer(axes, curve, denominators, cell)
+    capillary_axis(axes, rows.capillary_number)
+    axes.set_ylabel(r"lateral extent $D_\perp$ / μm")
+    axes.legend(loc="best", fontsize=7)
+    note_missing(axes, rows, "d_perp_um")
+    style.save(figure, arguments.output, plan["note"])
+
+
+main()

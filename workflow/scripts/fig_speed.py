@@ -1,0 +1,109 @@
+"""Slowing near the boundary: (a) mean speed of the cells against the capillary number; (b) time of the slowest
+row of the passage against the distance from the critical capillary number Ca_c, the middle of the bracket.
+The cell lingers at a stagnation point of the gap, so that this time grows as -ln |Ca / Ca_c - 1|."""
+
+import numpy as np
+from study import style
+from study.extent import (
+    GREY,
+    MARKERS,
+    capillary_axis,
+    draw_classes,
+    figure_arguments,
+    of_sweep,
+    panel_note,
+    shade,
+)
+from study.plan import read_json
+from study.tables import read_table, write_table
+
+COLUMNS = [
+    "sweep",
+    "row_shift_um",
+    "capillary_number",
+    "class",
+    "speed_um_per_kilostep",
+    "slowest_row_kilosteps",
+]
+COLUMNS += ["critical_capillary_number", "distance", "run"]
+
+
+def slowest_rows(crossings):
+    """Longest time from one pillar line to the next, in 1000 steps, by run."""
+    ordered = crossings.sort_values(["run", "row"]).drop_duplicates(["run", "row"])
+    return ordered.groupby("run").step.diff().div(1000).groupby(ordered.run).max()
+
+
+def critical_numbers(boundary, dx_um):
+    """Middle of the closed brackets of the default settings at this lattice, by row shift."""
+    names = boundary.series.str.startswith("lattice-") & (boundary.status == "bracketed")
+    rows = boundary[names & ((boundary.dx_um.astype(float) - dx_um).abs() < 1e-3)]
+    return np.sqrt(rows.ca_displaced * rows.ca_zigzag).groupby(rows.row_shift_um.round(3)).first()
+
+
+def cells(passages, crossings, boundary, plan):
+    """Cells of the sweep and those of the brackets at the same lattice, each once."""
+    grid = of_sweep(passages, plan)
+    dx = grid.dx_um.iloc[0] if len(grid) else np.nan
+    boundary = boundary[boundary.dx_um.astype(str) != "extrapolated"]
+    same = boundary[(boundary.dx_um.astype(float) - dx).abs() < 1e-3].series.unique()
+    names = [f"boundary/{name}" for name in same if name.startswith("lattice-")]
+    rows = passages[passages.sweep.isin([plan["figures"]["trajectory_sweep"], *names])].drop_duplicates("run")
+    critical = rows.row_shift_um.round(3).map(critical_numbers(boundary, dx))
+    return rows.assign(
+        slowest_row_kilosteps=rows.run.map(slowest_rows(crossings)),
+        critical_capillary_number=critical,
+        distance=rows.capillary_number / critical - 1,
+    )
+
+
+def draw_slowing(axes, rows):
+    """Panel (b): a straight line is logarithmic slowing."""
+    shown = rows[rows.distance.notna() & rows.slowest_row_kilosteps.notna()]
+    shown = shown[shown.distance != 0]
+    shifts = sorted(shown.row_shift_um.unique())
+    for k, shift in enumerate(shifts):
+        colour = shade(k, len(shifts))
+        axes.plot([], [], color=colour, label=rf"$d$ = {shift:.1f} μm")
+        for (_, name), side in shown[shown.row_shift_um == shift].groupby([shown.distance > 0, "class"]):
+            side = side.assign(distance=side.distance.abs()).sort_values("distance")
+            look = {"ms": 3.5, "lw": 0.6, "mfc": colour if name == "displaced" else "white", "color": colour}
+            axes.plot(side.distance, side.slowest_row_kilosteps, marker=MARKERS[name], **look)
+    axes.set(xlabel=r"$|\mathrm{Ca}/\mathrm{Ca}_c - 1|$", ylabel="slowest row / 1000 steps")
+    if len(shown):
+        axes.set_xscale("log")
+        axes.legend(fontsize=7)
+    else:
+        panel_note(axes, "no closed bracket of the boundary")
+
+
+def main():
+    arguments = figure_arguments(__doc__, "table", "crossings", "boundary")
+    plan = read_json(arguments.plan)
+    tables = (read_table(path) for path in (arguments.table, arguments.crossings, arguments.boundary))
+    rows = cells(*tables, plan)
+    styles = {"row_shift_um": ".1f", "capillary_number": ".4g"} | dict.fromkeys(COLUMNS[4:8], ".4f")
+    write_table(rows.to_dict("records"), COLUMNS, arguments.csv, COLUMNS[:3], styles)
+    figure = style.new_figure(style.PAGE, 2.9)
+    left, right = figure.subplots(1, 2)
+    for _, line in rows.groupby("row_shift_um"):
+        line = line.dropna(subset=["speed_um_per_kilostep"]).sort_values("capillary_number")
+        left.plot(line.capillary_number, line.speed_um_per_kilostep, color=GREY, lw=0.5, zorder=1)
+        if len(line):
+            end, text = line.iloc[-1], f"{line.row_shift_um.iloc[0]:.1f}"
+            place = (end.capillary_number, end.speed_um_per_kilostep)
+            left.annotate(text, place, (5, -2), textcoords="offset points", fontsize=6, color=GREY)
+    draw_classes(left, rows, "capillary_number", "speed_um_per_kilostep")
+    capillary_axis(left, rows.capillary_number)
+    left.set(ylabel="mean speed / (μm / 1000 steps)")
+    if len(rows):
+        left.legend(fontsize=7)
+    else:
+        panel_note(left, "no data")
+    draw_slowing(right, rows)
+    style.panel_label(left, "a")
+    style.panel_label(right, "b")
+    style.save(figure, arguments.output, plan["note"])
+
+
+main()
