@@ -1,4 +1,4 @@
-"""Thickness of the liquid film between cell and pillar at the defining crossing, against the capillary number,
+"""Thickness of the liquid film between cell and pillar at the defining crossing against Ca,
 a line for every row shift, the class as marker."""
 
 from study import style

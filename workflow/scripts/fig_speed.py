@@ -1,4 +1,4 @@
-"""Slowing near the boundary: (a) mean speed of the cells against the capillary number; (b) time of the slowest
+"""Slowing near the boundary: (a) mean speed of the cells against Ca; (b) time of the slowest
 row of the passage against the distance from the critical capillary number Ca_c, the middle of the bracket.
 The cell lingers at a stagnation point of the gap, so that this time grows as -ln |Ca / Ca_c - 1|."""
 

@@ -1,4 +1,4 @@
-"""What the figures of the lateral extent share: command line, rows of a sweep, colours, notes on what is missing."""
+"""What the figures of the lateral extent share: command line, rows of a sweep, colours, notes."""
 
 import argparse
 
