@@ -1,0 +1,53 @@
+"""The report: one HTML file without outside parts, for reading the results in a browser."""
+
+REPORT_FILES = [f"{RESULTS}/report.html"]
+
+
+rule report_data:
+    input:
+        plan=rules.plan.output,
+        runs=of_runs("run.h5", *sorted({run["group"] for run in PLAN["runs"]})),
+        script=f"{SCRIPTS}/report_data.py",
+        package=PACKAGE,
+    output:
+        trajectories=f"{TABLES}/thumbnails.csv",
+        provenance=f"{TABLES}/provenance.csv",
+    log:
+        f"{LOGS}/report_data.log",
+    params:
+        runs=RUNS,
+    shell:
+        """
+        python {input.script} --plan {input.plan} --runs {params.runs} --trajectories {output.trajectories} \
+            --provenance {output.provenance} 2> {log}
+        """
+
+
+rule report:
+    input:
+        plan=rules.plan.output,
+        tables=FLOW_TABLES + STRETCHING_TABLES + PASSAGE_TABLES,
+        figures=[name for name in FIGURE_FILES if name.endswith((".png", ".gif"))],
+        verdicts=rules.claims.output.csv,
+        claims=CLAIMS,
+        trajectories=rules.report_data.output.trajectories,
+        provenance=rules.report_data.output.provenance,
+        captions="workflow/templates/figures.toml",
+        template="workflow/templates/report.html.j2",
+        parts=expand("workflow/templates/report.{ext}", ext=["css", "js"]),
+        script=f"{SCRIPTS}/report.py",
+        package=PACKAGE,
+    output:
+        REPORT_FILES,
+    log:
+        f"{LOGS}/report.log",
+    params:
+        tables=TABLES,
+        figures=FIGURES,
+    shell:
+        """
+        python {input.script} --plan {input.plan} --tables {params.tables} --figures {params.figures} \
+            --verdicts {input.verdicts} --claims {input.claims} --trajectories {input.trajectories} \
+            --provenance {input.provenance} --captions {input.captions} --template {input.template} \
+            --output {output} 2> {log}
+        """
