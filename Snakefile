@@ -45,6 +45,7 @@ include: "workflow/rules/performance.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/figures_extent.smk"
 include: "workflow/rules/claims.smk"
+include: "workflow/rules/report.smk"
 include: "workflow/rules/paper.smk"
 
 
@@ -60,6 +61,7 @@ rule all:
         ANIMATION_FILES,
         EXTENT_FIGURES,
         CLAIM_FILES,
+        REPORT_FILES,
         PAPER_FILES,
 
 
