@@ -22,7 +22,7 @@ with open("paper/numbers.toml", "rb") as file:
 rule paper_numbers:
     input:
         declared="paper/numbers.toml",
-        tables=FLOW_TABLES + STRETCHING_TABLES + PASSAGE_TABLES,
+        tables=FLOW_TABLES + STRETCHING_TABLES + BOUNDARY_TABLES + PASSAGE_TABLES + SENSITIVITY_TABLES,
         verdicts=rules.claims.output.csv,
         claims=CLAIMS,
         schema="workflow/schemas/case.schema.json",
@@ -51,7 +51,7 @@ rule paper:
         text="paper/main.tex",
         references="paper/references.bib",
         generated=rules.paper_numbers.output,
-        figures=[name for name in FIGURE_FILES if name.endswith(".pdf")],
+        figures=[name for name in FIGURE_FILES + EXTENT_FIGURES if name.endswith(".pdf")],
         script=f"{SCRIPTS}/build_paper",
     output:
         PAPER_PDF,

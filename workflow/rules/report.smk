@@ -1,12 +1,13 @@
 """The report: one HTML file without outside parts, for reading the results in a browser."""
 
 REPORT_FILES = [f"{RESULTS}/report.html"]
+REPORT_GROUPS = ["streamlines", "stokes", "stretching", "passages", "sensitivity"]  # runs of the study itself
 
 
 rule report_data:
     input:
         plan=rules.plan.output,
-        runs=of_runs("run.h5", *sorted({run["group"] for run in PLAN["runs"]})),
+        runs=of_runs("run.h5", *REPORT_GROUPS),
         script=f"{SCRIPTS}/report_data.py",
         package=PACKAGE,
     output:
@@ -16,9 +17,10 @@ rule report_data:
         f"{LOGS}/report_data.log",
     params:
         runs=RUNS,
+        groups=REPORT_GROUPS,
     shell:
         """
-        python {input.script} --plan {input.plan} --runs {params.runs} --trajectories {output.trajectories} \
+        python {input.script} --plan {input.plan} --runs {params.runs} --groups {params.groups} --trajectories {output.trajectories} \
             --provenance {output.provenance} 2> {log}
         """
 
@@ -26,8 +28,8 @@ rule report_data:
 rule report:
     input:
         plan=rules.plan.output,
-        tables=FLOW_TABLES + STRETCHING_TABLES + PASSAGE_TABLES,
-        figures=[name for name in FIGURE_FILES if name.endswith((".png", ".gif"))],
+        tables=FLOW_TABLES + STRETCHING_TABLES + BOUNDARY_TABLES + PASSAGE_TABLES + SENSITIVITY_TABLES,
+        figures=[name for name in FIGURE_FILES + EXTENT_FIGURES + ANIMATION_FILES if name.endswith((".png", ".gif"))],
         verdicts=rules.claims.output.csv,
         claims=CLAIMS,
         trajectories=rules.report_data.output.trajectories,

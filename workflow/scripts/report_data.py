@@ -37,14 +37,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     for name in ("--plan", "--runs", "--trajectories", "--provenance"):
         parser.add_argument(name, required=True)
+    parser.add_argument("--groups", nargs="+", required=True, help="groups of runs whose provenance is told")
     arguments = parser.parse_args()
     plan = read_json(arguments.plan)
     passages = {run.id: run for run in load_runs(arguments.plan, arguments.runs, "passages")}
     rows = [row for run in passages.values() for row in thumbnail(run, plan["figures"]["trajectory_rows"])]
     styles = {"x_um": ".1f", "y_um": ".1f"}
     write_table(rows, TRAJECTORIES, arguments.trajectories, ["run", "x_um"], styles)
-    groups = sorted({run["group"] for run in plan["runs"]})
-    every = {run.id: run for group in groups for run in load_runs(arguments.plan, arguments.runs, group)}
+    every = {run.id: run for group in arguments.groups for run in load_runs(arguments.plan, arguments.runs, group)}
     counts = Counter(made_by(run) for run in every.values())
     made = [dict(zip(PROVENANCE, (count, *key), strict=True)) for key, count in counts.items()]
     write_table(made, PROVENANCE, arguments.provenance, PROVENANCE[1:])
