@@ -20,8 +20,8 @@ rule report_data:
         groups=REPORT_GROUPS,
     shell:
         """
-        python {input.script} --plan {input.plan} --runs {params.runs} --groups {params.groups} --trajectories {output.trajectories} \
-            --provenance {output.provenance} 2> {log}
+        python {input.script} --plan {input.plan} --runs {params.runs} --groups {params.groups} \
+            --trajectories {output.trajectories} --provenance {output.provenance} 2> {log}
         """
 
 

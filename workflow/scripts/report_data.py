@@ -44,7 +44,8 @@ def main():
     rows = [row for run in passages.values() for row in thumbnail(run, plan["figures"]["trajectory_rows"])]
     styles = {"x_um": ".1f", "y_um": ".1f"}
     write_table(rows, TRAJECTORIES, arguments.trajectories, ["run", "x_um"], styles)
-    every = {run.id: run for group in arguments.groups for run in load_runs(arguments.plan, arguments.runs, group)}
+    groups = [load_runs(arguments.plan, arguments.runs, group) for group in arguments.groups]
+    every = {run.id: run for runs in groups for run in runs}
     counts = Counter(made_by(run) for run in every.values())
     made = [dict(zip(PROVENANCE, (count, *key), strict=True)) for key, count in counts.items()]
     write_table(made, PROVENANCE, arguments.provenance, PROVENANCE[1:])
