@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from study import accuracy, frontier
+from study import accuracy, class_rules, frontier
 
 
 def test_frontier_keeps_what_nothing_dominates():
@@ -84,6 +84,35 @@ def test_frontier_does_not_reward_errors_below_the_references_uncertainty():
     for row in rows:
         row["reference_uncertainty"] = 0.02
     assert [row["on_frontier"] for row in accuracy.mark_frontiers(rows)] == [True, False]
+
+
+PASSAGES = [
+    ("displaced", [True] * 5, np.linspace(0.2, 1, 5), 100.0),
+    ("zigzag", [True, True, False, True, False], np.linspace(0.2, 1, 5), 100.0),
+    ("displaced", [True, False, True, True, True], np.linspace(0.2, 1, 5), 100.0),
+]
+
+
+def test_rules_for_the_class_count_wrong_answers_and_the_work_up_to_the_line():
+    error, work = class_rules.judged_rule(class_rules.any_zig, PASSAGES, 1)
+    assert (error, work) == (pytest.approx(2 / 3), pytest.approx(3 * 40))
+    assert class_rules.judged_rule(class_rules.any_zig, PASSAGES, 2) == (
+        pytest.approx(1 / 3),
+        pytest.approx(180),
+    )
+    assert class_rules.judged_rule(class_rules.last_line, PASSAGES, 2)[0] == 0
+    assert class_rules.judged_rule(class_rules.any_zig, PASSAGES, 9) == (0, 300)  # over before
+
+
+def test_second_starts_count_changed_classes():
+    point = {"dx_um": 0.4, "lateral_flow": "free", "skalak_denominator": 12, "capillary_number": 0.5}
+    pairs = [(4.4, "displaced", "displaced"), (6.0, "displaced", "zigzag"), (6.8, "undecided", "zigzag")]
+    rows = [
+        point | {"row_shift_um": shift, "sweep": sweep, "class": label}
+        for shift, *labels in pairs
+        for sweep, label in zip(("grid", "second-start"), labels, strict=True)
+    ]
+    assert class_rules.second_starts(pd.DataFrame(rows)) == (0.5, 2)
 
 
 @pytest.fixture(scope="module")

@@ -87,3 +87,45 @@ rule work_precision:
         python {input.script} --plan {input.plan} --table {input.table} --study {wildcards.study} \
             --csv {output.csv} --output {output.pdf} 2> {log}
         """
+
+
+rule accuracy_class_table:
+    input:
+        plan=rules.plan.output,
+        passages=rules.passages_table.output,
+        crossings=rules.crossings_table.output.crossings,
+        summary=rules.a_priori.output.summary,
+        script=f"{SCRIPTS}/accuracy_class.py",
+        package=PACKAGE,
+    output:
+        f"{TABLES}/accuracy_class.csv",
+    log:
+        f"{LOGS}/accuracy_class.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --passages {input.passages} --crossings {input.crossings} \
+            --summary {input.summary} --output {output} 2> {log}
+        """
+
+
+rule work_precision_class:
+    input:
+        plan=rules.plan.output,
+        table=rules.accuracy_class_table.output,
+        script=f"{SCRIPTS}/work_precision.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/work_precision_class", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/work_precision_class.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --study class \
+            --csv {output.csv} --output {output.pdf} 2> {log}
+        """
+
+
+# A target of its own: it needs the passages of the whole study.
+rule accuracy_class:
+    input:
+        rules.work_precision_class.output,

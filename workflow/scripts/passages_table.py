@@ -20,6 +20,7 @@ FROM_SUMMARY = [
     "defining_crossing",
     "steps",
     "node_updates",
+    "membrane_updates",
     "density_variation",
     "failing_quantity",
     "failing_value",

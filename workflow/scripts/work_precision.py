@@ -2,7 +2,8 @@
 
 Lower left is better. Lines join the ladders of a method, the step line is the Pareto frontier, open markers
 at the upper edge are settings that failed or found another class, and the grey bands are the uncertainty of
-the references, below which nothing is told apart. Beside it stand the settings on the frontier.
+the references, below which nothing is told apart. Beside it stand the settings on the
+frontier, with the number of others of the same cost and error.
 """
 
 import argparse
@@ -84,7 +85,7 @@ def list_frontier(axes, rows):
             break
         row = part.iloc[0]
         name = f"{row.method}: {row.setting}" if row.setting else row.method
-        name += f" (and {len(part) - 1} equal)" if len(part) > 1 else ""
+        name += f" (+{len(part) - 1})" if len(part) > 1 else ""
         below = error < row.reference_uncertainty
         texts = (name, f"< {row.reference_uncertainty:.1e}" if below else f"{error:.1e}", f"{work:.1e}")
         for place, text, align in zip(places, texts, aligned, strict=True):
