@@ -53,7 +53,7 @@ def make_bracket(definition, plan, folder):
             (place / f"confirm-{label}-{side}.json").write_text(json.dumps(found), encoding="utf-8")
 
 
-@pytest.fixture(scope="session", params=["smoke", "paper"])
+@pytest.fixture(scope="session", params=["smoke", "fine"])
 def results(request, tmp_path_factory):
     """Folder of a tier: its plan and made-up results of its runs and brackets; scripts write there too."""
     folder = tmp_path_factory.mktemp(request.param)

@@ -150,4 +150,4 @@ def test_diagrams_and_conclusions_follow_from_the_table(table, results, call):
     call("accuracy_conclusions", **plan, runs=results / "runs", output=text)
     written = text.read_text(encoding="utf-8")
     assert written.count("| error at most |") == 7
-    assert ("## Presets" in written) == ("paper" in results.name)
+    assert ("## Presets" in written) == ("fine" in results.name)

@@ -85,7 +85,7 @@ def test_fits_find_the_law_of_the_made_up_flow_again(tables):
 def test_diverged_passages_are_labelled_rows(tables, results):
     rows = tables["passages"]
     assert set(rows["class"]) <= {"displaced", "zigzag", "undecided", "diverged"}
-    if "paper" in results.name:
+    if "fine" in results.name:
         diverged = rows[rows["class"] == "diverged"]
         assert set(diverged.failing_quantity) == {"speed"}
 
@@ -97,7 +97,7 @@ def test_verdicts(tables, results, call, root):
         "tables": results / "tables",
         "experiment": root / EXPERIMENT,
     }
-    tier = "paper" if "paper" in results.name else "smoke"
+    tier = "fine" if "fine" in results.name else "smoke"
     call("claims_table", **given, tier=tier, csv=csv, markdown=markdown)
     verdict = pd.read_csv(csv).set_index("id").verdict
     assert set(verdict) <= {"REPRODUCED", "NOT REPRODUCED", "NOT RUN"}
@@ -113,13 +113,13 @@ def test_verdicts(tables, results, call, root):
 
 
 def test_a_claim_without_its_runs_is_an_error_of_the_whole_study_alone(tables, results, root, tmp_path):
-    if "paper" not in results.name:
+    if "fine" not in results.name:
         pytest.skip("on the tables of the paper tier")
     folder = tmp_path / "tables"
     shutil.copytree(results / "tables", folder)
     rows = tables["passages"]
     rows[rows.row_shift_um != 5.2].to_csv(folder / "passages.csv", index=False)
-    words = ["--claims", root / "params/claims.json", "--tables", folder, "--tier", "paper"]
+    words = ["--claims", root / "params/claims.json", "--tables", folder, "--tier", "fine"]
     words += ["--experiment", root / EXPERIMENT, "--csv", tmp_path / "c.csv", "--markdown", tmp_path / "c.md"]
     command = [sys.executable, root / "workflow/scripts/claims_table.py", *words]
     environment = {"PYTHONPATH": str(root / "workflow"), "PATH": "/usr/bin:/bin"}
@@ -134,7 +134,7 @@ def test_a_claim_without_its_runs_is_an_error_of_the_whole_study_alone(tables, r
 
 
 def test_the_boundary_of_the_made_up_cells_is_found_again(tables, results):
-    if "paper" not in results.name:
+    if "fine" not in results.name:
         pytest.skip("the smoke tier has too few brackets")
     fits = tables["fits"].set_index(["name", "parameter"])
     for series, offset in (("lattice-0.4", 3.1), ("lattice-0.2", 3.0), ("extrapolated", 2.9)):
@@ -148,7 +148,7 @@ def test_the_boundary_of_the_made_up_cells_is_found_again(tables, results):
 
 def test_the_sensitivity_study_states_every_choice_and_its_change(tables, results, study):
     rows = tables["sensitivity"]
-    tier = study["tiers"]["paper" if "paper" in results.name else "smoke"]
+    tier = study["tiers"]["fine" if "fine" in results.name else "smoke"]
     assert set(tier["sensitivity"]["choices"]) <= set(rows.choice)
     softer = rows[(rows.choice == "skalak_denominator") & rows.observable.str.startswith("critical_ca")]
     assert len(softer) and (softer.change.dropna() > 0).all()  # the made-up boundary moves up
