@@ -164,6 +164,7 @@ def generated(results, call, root, tmp_path_factory):
         "passages_table",
         plan=results / "plan.json",
         runs=results / "runs",
+        brackets=results / "brackets",
         output=flow.with_name("passages.csv"),
     )
     verdicts = folder / "claims.csv"
