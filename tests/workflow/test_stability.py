@@ -133,7 +133,7 @@ def write_case(folder, **sections):
     coarse = {
         "scene": "passage",
         "geometry": {"row_shift_um": 6.4},
-        "fluid": {"lattice_spacing_um": 0.8, "relaxation_time": 1, "force_density": 1e-3},
+        "fluid": {"lattice_spacing_um": 0.8, "relaxation_time": 1, "force_density": 8e-4},
         "cell": {"mesh_frequency": 5},
         "stop": {"when": "rows", "max_rows": 1},
         "output": {"flow_field": False},
