@@ -192,7 +192,7 @@ def run(case, out, summary_path):
     with h5py.File(out, "w") as file:
         status, summary = SCENES[case["scene"]](case, file)
         file.attrs["status"] = status
-        file.attrs["provenance"] = json.dumps({"commit": "made up"})
+        file.attrs["provenance"] = json.dumps({"git_commit": "made up"})
     spacing = case["fluid"]["lattice_spacing_um"]
     cost = {"steps": 1000, "node_updates": round(1e6 * (0.4 / spacing) ** 3), "membrane_updates": 10000}
     summary = {"scene": case["scene"], "status": status} | cost | summary

@@ -8,6 +8,7 @@ rule report_data:
     input:
         plan=rules.plan.output,
         runs=of_runs("run.h5", *REPORT_GROUPS),
+        brackets=BRACKET_FILES,
         script=f"{SCRIPTS}/report_data.py",
         package=PACKAGE,
     output:
@@ -18,10 +19,11 @@ rule report_data:
     params:
         runs=RUNS,
         groups=REPORT_GROUPS,
+        brackets=BRACKETS,
     shell:
         """
         python {input.script} --plan {input.plan} --runs {params.runs} --groups {params.groups} \
-            --trajectories {output.trajectories} --provenance {output.provenance} 2> {log}
+            --brackets {params.brackets} --trajectories {output.trajectories} --provenance {output.provenance} 2> {log}
         """
 
 

@@ -4,7 +4,7 @@ import argparse
 from collections import Counter
 
 from study.plan import read_json
-from study.runs import load_runs
+from study.runs import load_runs, passage_runs
 from study.tables import write_table
 
 SPACING_UM = 4.0  # smallest distance along x between two points of a thumbnail
@@ -38,9 +38,14 @@ def main():
     for name in ("--plan", "--runs", "--trajectories", "--provenance"):
         parser.add_argument(name, required=True)
     parser.add_argument("--groups", nargs="+", required=True, help="groups of runs whose provenance is told")
+    parser.add_argument("--brackets", help="folder of the brackets, if their trajectories are wanted too")
     arguments = parser.parse_args()
     plan = read_json(arguments.plan)
-    passages = {run.id: run for run in load_runs(arguments.plan, arguments.runs, "passages")}
+    if arguments.brackets:
+        found = passage_runs(arguments.plan, arguments.brackets, arguments.runs)
+    else:
+        found = load_runs(arguments.plan, arguments.runs, "passages")
+    passages = {run.id: run for run in found}
     rows = [row for run in passages.values() for row in thumbnail(run, plan["figures"]["trajectory_rows"])]
     styles = {"x_um": ".1f", "y_um": ".1f"}
     write_table(rows, TRAJECTORIES, arguments.trajectories, ["run", "x_um"], styles)

@@ -56,7 +56,7 @@ def plain(value, digits=3):
 
 
 def phase_space(passages):
-    """(sets, points, axes): sets of passages of one sweep and lattice, and their points with coordinates."""
+    """(sets, points, axes): sets of passages of one sweep and lattice, largest first, and their points."""
     rows = passages.dropna(subset=["capillary_number", "row_shift_um"])
     if rows.empty:
         return [], [], None
@@ -73,7 +73,7 @@ def phase_space(passages):
         point |= {name: plain(row.get(name)) for name in SHOWN}
         point |= {"x": axes.x(row["capillary_number"]), "y": axes.y(row["row_shift_um"])}
         points.append(point)
-    return list(sets.values()), points, axes
+    return sorted(sets.values(), key=lambda one: -one["count"]), points, axes
 
 
 def boundaries(fits, printed, axes):

@@ -1,0 +1,171 @@
+"""The report: complete, without outside parts, the same bytes twice, and usable in a browser."""
+
+import html
+import json
+import re
+import shutil
+import subprocess
+
+import pandas as pd
+import pytest
+from PIL import Image
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+VERDICTS = """id,verdict,claim,where,paper_value,unit,measured,note
+reynolds,NOT REPRODUCED,a claim with <angle> & sign,Section 3.1,0.76,,0.461,
+resistance,REPRODUCED,another claim,Section 3.1,8.8e8,Pa s/m^2,8.7e8,a note
+"""
+
+
+@pytest.fixture(scope="module")
+def make(results, call, root, tmp_path_factory):
+    """Makes the report from made-up results; returns its path."""
+    if "smoke" not in results.name:
+        pytest.skip("one tier is enough")
+    folder = tmp_path_factory.mktemp("report")
+    tables, figures, templates = folder / "tables", folder / "figures", root / "workflow/templates"
+    tables.mkdir()
+    figures.mkdir()
+    Image.new("RGB", (2000, 1000), "white").save(figures / "fig07.png")
+    (folder / "claims.csv").write_text(VERDICTS, encoding="utf-8")
+    runs = {"plan": results / "plan.json", "runs": results / "runs", "brackets": results / "brackets"}
+    call("passages_table", **runs, output=tables / "passages.csv")
+    boundary = {"offset_um": 2.5, "amplitude_um": 5.0, "rate": 1.5}
+    rows = [{"name": "boundary/made-up", "parameter": key, "value": value} for key, value in boundary.items()]
+    pd.DataFrame(rows).to_csv(tables / "fits.csv", index=False)
+    data = {name: tables / f"{name}.csv" for name in ("trajectories", "provenance")}
+    call("report_data", **runs, groups="passages", **data)
+
+    def report(name):
+        given = {"tables": tables, "figures": figures, "verdicts": folder / "claims.csv"}
+        given |= {"claims": root / "params/claims.json", "captions": templates / "figures.toml"}
+        given |= {"template": templates / "report.html.j2", "output": folder / name}
+        call("report", plan=runs["plan"], **data, **given)
+        return folder / name
+
+    report.passages = pd.read_csv(tables / "passages.csv")
+    return report
+
+
+@pytest.fixture(scope="module")
+def page(make):
+    return make("report.html")
+
+
+def data_of(text):
+    return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', text)[1])
+
+
+def test_the_page_stands_alone(page):
+    text = page.read_text(encoding="utf-8")
+    loaded = re.findall(r'(?:src|srcset|href)\s*=\s*"([^"]*)"', text)
+    assert [one for one in loaded if not one.startswith(("#", "data:"))] == []
+    assert not re.search(r"@import|url\(|fetch\(|XMLHttpRequest|import\(", text)
+    assert page.stat().st_size < 10e6
+    assert 'alt="Phase space of capillary number' in text
+
+
+def test_the_page_shows_every_passage_and_verdict(page, make):
+    text = page.read_text(encoding="utf-8")
+    points = data_of(text)["points"]
+    assert sorted(point["run"] for point in points) == sorted(make.passages.run)
+    assert text.count('class="point ') - 4 == len(points)  # four more in the legend
+    assert "a claim with &lt;angle&gt; &amp; sign" in text
+    assert re.search(r'id="claim-reynolds".*?not-reproduced', text, re.DOTALL)
+    assert "made up" in text  # the commit in the provenance of the made-up runs
+    assert "boundary: made-up" in text
+
+
+def test_trajectories_belong_to_the_passages(page, make):
+    data = data_of(page.read_text(encoding="utf-8"))
+    assert set(data["trajectories"]) <= set(make.passages.run)
+    decided = make.passages[make.passages["class"].isin(["displaced", "zigzag"])]
+    assert set(decided.run) <= set(data["trajectories"])
+
+
+def test_the_page_has_the_same_bytes(page, make):
+    assert make("again.html").read_bytes() == page.read_bytes()
+
+
+def in_browser(page, tmp_path, script="", fragment="", width=1200):
+    """The document after the page, and then a script of the test, ran in headless Chromium."""
+    copy = tmp_path / "page.html"
+    text = page.read_text(encoding="utf-8")
+    copy.write_text(text.replace("</body>", f"<script>{script}</script></body>"), encoding="utf-8")
+    command = [
+        CHROMIUM,
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        f"--user-data-dir={tmp_path / 'user'}",
+    ]
+    command += [f"--window-size={width},900", "--virtual-time-budget=2000", "--dump-dom"]
+    done = subprocess.run(
+        [*command, f"{copy.as_uri()}{fragment}"], capture_output=True, text=True, timeout=240, check=True
+    )
+    return done.stdout
+
+
+def details(document):
+    """Terms and values of the panel beside the phase space."""
+    panel = re.search(r'<div id="details".*?</div>', document, re.DOTALL)[0]
+    pairs = re.findall(r"<dt>(.*?)</dt><dd>(.*?)</dd>", panel)
+    return {html.unescape(name): html.unescape(value) for name, value in pairs}, panel
+
+
+needs_chromium = pytest.mark.skipif(not CHROMIUM, reason="Chromium is not installed")
+
+
+@needs_chromium
+def test_a_link_opens_the_page_at_its_run(page, make, tmp_path):
+    row = make.passages[make.passages["class"] == "zigzag"].iloc[-1]
+    found, panel = details(in_browser(page, tmp_path, fragment=f"#run-{row.run}"))
+    assert found["run"] == row.run
+    assert found["class"] == "zigzag"
+    assert float(found["Ca"]) == pytest.approx(row.capillary_number)
+    assert "<polyline" in panel and "<circle" in panel
+
+
+@needs_chromium
+def test_hover_click_keys_and_sets(page, tmp_path):
+    script = """
+    const out = [], panel = document.getElementById("details"), select = document.getElementById("set");
+    const run = () => (panel.querySelector("dd:last-of-type") || {}).textContent || "none";
+    const shown = () => [...document.querySelectorAll("#plot .point:not([display])")];
+    const fire = (mark, event) => mark.dispatchEvent(event);
+    out.push(run());
+    fire(shown()[1], new PointerEvent("pointerenter"));
+    out.push(run());
+    fire(shown()[0], new MouseEvent("click", { bubbles: true }));
+    fire(shown()[1], new PointerEvent("pointerenter"));
+    fire(shown()[1], new PointerEvent("pointerleave"));
+    out.push(run(), location.hash);
+    fire(shown()[0], new KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true, cancelable: true }));
+    fire(shown()[0], new KeyboardEvent("keydown", { key: "ArrowUp", bubbles: true, cancelable: true }));
+    out.push(run());
+    const before = shown().map((mark) => mark.dataset.set);
+    select.selectedIndex = 1;
+    select.dispatchEvent(new Event("change"));
+    const after = shown().map((mark) => mark.dataset.set);
+    out.push(String(new Set(before).size === 1 && new Set(after).size === 1 && before[0] !== after[0]));
+    document.body.dataset.found = out.join(" ");
+    """
+    document = in_browser(page, tmp_path, script)
+    nothing, hovered, clicked, link, moved, sets = re.search(r'data-found="([^"]*)"', document)[1].split(" ")
+    assert nothing == "none"
+    assert re.fullmatch(r"[0-9a-f]{12}", hovered) and hovered != clicked
+    assert link == f"#run-{clicked}"
+    assert moved != clicked
+    assert sets == "true"
+
+
+@needs_chromium
+@pytest.mark.parametrize("width", [500, 1200])
+def test_nothing_is_wider_than_the_screen(page, tmp_path, width):
+    script = """
+    const root = document.documentElement;
+    document.body.dataset.found = [root.scrollWidth, root.clientWidth].join(" ");
+    """
+    document = in_browser(page, tmp_path, script, width=width)
+    needed, there = map(int, re.search(r'data-found="([^"]*)"', document)[1].split(" "))
+    assert needed <= there <= width
