@@ -33,20 +33,20 @@ def draw(axes):
     arrow(axes, (2, RADIUS), (2, PITCH - RADIUS), "$G$", (5, PITCH / 2), **middle)
     arrow(axes, (-12.5, 0), (-12.5, PITCH), r"$\lambda$", (-14.3, PITCH / 2 - 5), **middle)
     axes.plot([-13.5, 0], [0, 0], [-13.5, 0], [PITCH, PITCH], color=style.BLACK, lw=0.4)
-    arrow(axes, (0, PITCH + 13), (PITCH, PITCH + 13), r"$\lambda$", (PITCH / 2, PITCH + 15), **middle)
-    axes.plot(
-        [0, 0], [PITCH, PITCH + 14], [PITCH] * 2, [PITCH + SHIFT, PITCH + 14], color=style.BLACK, lw=0.4
-    )
-    axes.plot([0, PITCH + 15], [0, 0], [0, PITCH], [0, SHIFT], color=style.BLACK, lw=0.6)
-    axes.plot([PITCH, PITCH + 15], [SHIFT, SHIFT], color=style.BLACK, lw=0.4)
-    arrow(axes, (PITCH + 13, 0), (PITCH + 13, SHIFT), "$d$", (PITCH + 15, SHIFT / 2), **middle)
+    top = PITCH + SHIFT + 19  # above the unit cells
+    arrow(axes, (0, top), (PITCH, top), r"$\lambda$", (PITCH / 2, top + 2.5), **middle)
+    axes.plot([0, 0], [PITCH, top + 1], [PITCH] * 2, [PITCH + SHIFT, top + 1], color=style.BLACK, lw=0.4)
+    right = 1.5 * PITCH + 3  # beside the unit cells
+    axes.plot([0, right + 1], [0, 0], [0, PITCH], [0, SHIFT], color=style.BLACK, lw=0.6)
+    axes.plot([PITCH, right + 1], [SHIFT, SHIFT], color=style.BLACK, lw=0.4)
+    arrow(axes, (right, 0), (right, SHIFT), "$d$", (right + 2.5, SHIFT / 2), **middle)
     angle = np.linspace(0, math.atan(SHIFT / PITCH), 20)
     axes.plot(21 * np.cos(angle), 21 * np.sin(angle), color=style.BLACK, lw=0.6)
     axes.text(18, 1.9, r"$\alpha$", **middle)
     axes.annotate("", (-18, 8), (-27, 8), arrowprops={"arrowstyle": "-|>", "lw": 1.2, "color": style.BLUE})
     axes.text(-22.5, 10.5, "flow", color=style.BLUE, **middle)
     axes.text(PITCH + 1.5, SHIFT + PITCH - RADIUS - 2.5, "gap line", color=style.VERMILION, va="center")
-    axes.set(xlim=(-28, PITCH + 19), ylim=(-17, PITCH + SHIFT + 17), aspect="equal")
+    axes.set(xlim=(-28, right + 5), ylim=(-17, top + 5), aspect="equal")
     axes.set_axis_off()
 
 

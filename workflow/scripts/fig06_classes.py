@@ -20,7 +20,7 @@ COLUMNS = [
 
 # A class in a field, beside its colour.
 SHORT = {"displaced": "D", "zigzag": "Z", "undecided": "?", "diverged": "×", "interrupted": "–"}
-SIZE = 6.5  # of the numbers in the fields, points
+SIZE = 7  # of the numbers in the fields, points
 
 
 def draw(axes, table):

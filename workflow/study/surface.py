@@ -1,9 +1,11 @@
 """Shaded pictures of triangulated cells and their sections with planes."""
 
 import numpy as np
+from matplotlib.collections import PolyCollection
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 LIGHT = np.array([-0.45, -0.55, 0.7]) / np.linalg.norm([-0.45, -0.55, 0.7])
+RED = (0.85, 0.22, 0.18)
 
 
 def shaded_colours(normals, colour):
@@ -14,13 +16,18 @@ def shaded_colours(normals, colour):
     return np.hstack([tint, np.ones((len(tint), 1))])
 
 
-def draw_cell(axes, vertices, faces, half_width, colour=(0.85, 0.22, 0.18), elevation=32, azimuth=-62):
-    """Draws a cell (vertices in um) around its centre in 3D axes of +- half_width um, without frame."""
-    corners = (vertices - vertices.mean(axis=0))[faces]
+def shaded_faces(vertices, faces, colour):
+    """Corners (n, 3, 3), unit normals (n, 3), face colours and edge colours (n, 4) of a triangulated cell."""
+    corners = vertices[faces]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
     colours = shaded_colours(normals, colour)
-    edges = colours * np.array([0.72, 0.72, 0.72, 1.0])
+    return corners, normals, colours, colours * np.array([0.72, 0.72, 0.72, 1.0])
+
+
+def draw_cell(axes, vertices, faces, half_width, colour=RED, elevation=32, azimuth=-62):
+    """Draws a cell (vertices in um) around its centre in 3D axes of +- half_width um, without frame."""
+    corners, _, colours, edges = shaded_faces(vertices - vertices.mean(axis=0), faces, colour)
     surface = Poly3DCollection(corners, facecolors=colours, edgecolors=edges, linewidths=0.25, clip_on=False)
     axes.add_collection3d(surface)
     axes.set_proj_type("ortho")
@@ -28,6 +35,15 @@ def draw_cell(axes, vertices, faces, half_width, colour=(0.85, 0.22, 0.18), elev
     axes.set(xlim=(-half_width, half_width), ylim=(-half_width, half_width), zlim=(-half_width, half_width))
     axes.set_box_aspect((1, 1, 1), zoom=1.8)
     axes.set_axis_off()
+
+
+def draw_from_above(axes, vertices, faces, colour=RED):
+    """Draws a cell (vertices in um) in plane axes as seen along -z: the faces that look up, low ones first."""
+    corners, normals, colours, edges = shaded_faces(vertices, faces, colour)
+    seen = np.flatnonzero(normals[:, 2] > 0)
+    seen = seen[np.argsort(corners[seen, :, 2].mean(axis=1), kind="stable")]
+    look = {"facecolors": colours[seen], "edgecolors": edges[seen], "linewidths": 0.2}
+    axes.add_collection(PolyCollection(corners[seen, :, :2], **look))
 
 
 def section(vertices, faces, axis, value):
