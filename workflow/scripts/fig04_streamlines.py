@@ -25,9 +25,9 @@ def draw(axes, field, separatrices, shift, scale):
     x, y, u, v = grids(field)
     half = 0.5 * (x[1] - x[0])
     extent = (x[0] - half, x[-1] + half, y[0] - half, y[-1] + half)
-    speed = np.hypot(u, v)
+    speed = np.hypot(u, v) / scale
     picture = axes.imshow(
-        speed, origin="lower", extent=extent, cmap="viridis", vmin=0, vmax=scale, interpolation="bicubic"
+        speed, origin="lower", extent=extent, cmap="viridis", vmin=0, vmax=1, interpolation="bicubic"
     )
     left, starts = x[0] + 1e-6, np.linspace(y[0], y[-1], 22)[1:-1]
     axes.streamplot(
@@ -66,7 +66,7 @@ def main():
     arguments = parser.parse_args()
     fields, separatrices = read_table(arguments.fields), read_table(arguments.separatrices)
     scale = np.hypot(fields.velocity_x_lu, fields.velocity_y_lu).max()
-    figure = style.new_figure(style.PAGE, 3.3)
+    figure = style.new_figure(style.PAGE, 3.5)
     shifts = sorted(fields.row_shift_um.unique())
     panels = np.atleast_1d(figure.subplots(1, len(shifts), sharey=True))
     for axes, shift in zip(panels, shifts, strict=True):
@@ -74,7 +74,10 @@ def main():
         picture = draw(axes, fields[fields.row_shift_um == shift], lines, shift, scale)
     for axes in panels[1:]:
         axes.set_ylabel("")
-    figure.colorbar(picture, ax=list(panels), label="speed / lattice units", shrink=0.85)
+    names = [plt.Line2D([], [], color=style.ORANGE, lw=1.2, ls="--", label="separatrix, ends at a pillar")]
+    names.append(plt.Line2D([], [], color="#999999", lw=0.5, label="other streamlines (white)"))
+    figure.legend(handles=names, loc="outside lower center", ncols=2)
+    figure.colorbar(picture, ax=list(panels), label="speed / largest speed of both", shrink=0.85)
     style.save(figure, arguments.output, read_json(arguments.plan)["note"])
 
 

@@ -1,7 +1,7 @@
 """Figure 8: (a) the lateral extent D_perp at the gap line, (b) ... cells of growing Ca there.
 
-Each cell is shown in three dimensions, from above beside its pillar, and cut by the plane of the gap line, with
-D_perp and the critical diameter 2s of the flow.
+Each cell is shown in three dimensions, from above beside its pillar, and cut by the plane of the gap line,
+with D_perp and the critical diameter 2s of the flow.
 """
 
 import argparse

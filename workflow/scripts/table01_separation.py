@@ -10,6 +10,7 @@ from study.plan import read_json
 from study.tables import read_table, write_table
 
 PITCH = 32.0  # um
+ROUNDING = 0.05  # um, of the printed values
 MARKERS = ["s", "^", "D", "v"]
 COLOURS = [style.BLUE, style.GREEN, style.VERMILION, style.ORANGE]
 
@@ -34,7 +35,15 @@ def draw(axes, table, fits, printed, variants):
     shifts = sorted(printed)
     values = [printed[shift] for shift in shifts]
     axes.errorbar(
-        shifts, values, 0.05, fmt="o", color=style.BLACK, ms=4, capsize=2, lw=0.8, label="Table 1, printed"
+        shifts,
+        values,
+        ROUNDING,
+        fmt="o",
+        color=style.BLACK,
+        ms=4,
+        capsize=2,
+        lw=0.8,
+        label="Table 1, printed",
     )
     law = fits.set_index(["name", "parameter"]).value
     for number, variant in enumerate(variants):
@@ -46,11 +55,30 @@ def draw(axes, table, fits, printed, variants):
             axes.plot(curve, 0.5 * power_law(curve / PITCH, a, b), color=colour, lw=0.8)
             label += rf": $2s$ = {a:.1f} μm $\epsilon^{{{b:.3f}}}$"
         axes.plot(rows.row_shift_um, rows.s_um, MARKERS[number % 4], color=colour, mfc="none", label=label)
-    axes.set(xscale="log", yscale="log", xlabel="row shift $d$ / μm", ylabel="separation distance $s$ / μm")
-    for axis, ticks in ((axes.xaxis, [2, 3, 4, 5, 6, 8]), (axes.yaxis, [1, 1.5, 2, 3, 4])):
-        axis.set_ticks(ticks, [f"{tick:g}" for tick in ticks])
-        axis.set_ticks([], minor=True)
+    axes.set(xscale="log", yscale="log", ylabel="separation distance $s$ / μm")
+    ticks = [1, 1.5, 2, 3, 4]
+    axes.yaxis.set_ticks(ticks, [f"{tick:g}" for tick in ticks])
+    axes.yaxis.set_ticks([], minor=True)
     axes.legend(loc="upper left")
+
+
+def draw_differences(axes, rows, variants):
+    """Computed minus printed, with the band that the rounding of the printed values allows."""
+    axes.axhspan(-ROUNDING, ROUNDING, color="#E0E0E0", lw=0)
+    axes.axhline(0, color=style.BLACK, lw=0.6)
+    compared = [row for row in rows if row["printed_s_um"] is not None]
+    for number, variant in enumerate(variants):
+        aside = 1 + 0.012 * (
+            number - 0.5 * (len(variants) - 1)
+        )  # so that equal values do not hide one another
+        points = [row for row in compared if row[f"{variant}_s_um"] is not None]
+        shifts = [aside * row["row_shift_um"] for row in points]
+        differences = [row[f"{variant}_s_um"] - row["printed_s_um"] for row in points]
+        axes.plot(shifts, differences, MARKERS[number % 4], color=COLOURS[number % 4], mfc="none")
+    axes.set(xlabel="row shift $d$ / μm", ylabel="$s$ − printed / μm")
+    ticks = [2, 3, 4, 5, 6, 8]
+    axes.xaxis.set_ticks(ticks, [f"{tick:g}" for tick in ticks])
+    axes.xaxis.set_ticks([], minor=True)
 
 
 def main():
@@ -66,8 +94,10 @@ def main():
     columns += ["refined_uncertainty_um"] if "refined" in variants else []
     styles = dict.fromkeys(columns, ".3f") | {"row_shift_um": ".1f", "epsilon": ".4f", "printed_s_um": ".1f"}
     write_table(rows, columns, arguments.csv, ["row_shift_um"], styles)
-    figure = style.new_figure(4.2, 3.4)
-    draw(figure.add_subplot(), table, fits, printed, variants)
+    figure = style.new_figure(4.2, 4.6)
+    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[2.2, 1])
+    draw(upper, table, fits, printed, variants)
+    draw_differences(lower, rows, variants)
     style.save(figure, arguments.output, plan["note"])
 
 

@@ -38,7 +38,7 @@ def draw_cell(axes, vertices, faces, half_width, colour=RED, elevation=32, azimu
 
 
 def draw_from_above(axes, vertices, faces, colour=RED):
-    """Draws a cell (vertices in um) in plane axes as seen along -z: the faces that look up, low ones first."""
+    """Draws a cell (vertices in um) in plane axes seen along -z: the faces that look up, low ones first."""
     corners, normals, colours, edges = shaded_faces(vertices, faces, colour)
     seen = np.flatnonzero(normals[:, 2] > 0)
     seen = seen[np.argsort(corners[seen, :, 2].mean(axis=1), kind="stable")]
