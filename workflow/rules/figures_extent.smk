@@ -3,7 +3,8 @@
 EXTENT_FIGURES = expand(
     "{folder}/{name}.{ext}",
     folder=FIGURES,
-    name=["fig09", "fig10", "fig_return_maps", "fig_film", "fig_speed"],
+    name=["fig09", "fig10", "fig_return_maps", "fig_film", "fig_speed"]
+    + ["fig_a_priori", "fig_sensitivity", "fig_refinement"],
     ext=["pdf", "png", "csv"],
 ) + [f"{FIGURES}/fig09_factors.csv"]
 
@@ -91,4 +92,57 @@ rule figure_speed:
         """
         python {input.script} --plan {input.plan} --table {input.table} --crossings {input.crossings} \
             --boundary {input.boundary} --csv {output.csv} --output {output.pdf} 2> {log}
+        """
+
+
+rule figure_a_priori:
+    input:
+        plan=rules.plan.output,
+        table=rules.a_priori.output.table,
+        summary=rules.a_priori.output.summary,
+        script=f"{SCRIPTS}/fig_a_priori.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig_a_priori", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/fig_a_priori.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --summary {input.summary} \
+            --csv {output.csv} --output {output.pdf} 2> {log}
+        """
+
+
+rule figure_sensitivity:
+    input:
+        plan=rules.plan.output,
+        table=rules.sensitivity_table.output,
+        script=f"{SCRIPTS}/fig_sensitivity.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig_sensitivity", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/fig_sensitivity.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} \
+            --csv {output.csv} --output {output.pdf} 2> {log}
+        """
+
+
+rule figure_refinement:
+    input:
+        plan=rules.plan.output,
+        table=rules.passages_table.output,
+        crossings=rules.crossings_table.output.crossings,
+        script=f"{SCRIPTS}/fig_refinement.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig_refinement", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/fig_refinement.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --crossings {input.crossings} \
+            --csv {output.csv} --output {output.pdf} 2> {log}
         """

@@ -4,6 +4,7 @@ symbols are steps on which the cell falls back by a lane."""
 
 import math
 
+from matplotlib.ticker import MultipleLocator
 from study import style
 from study.extent import GREY, figure_arguments, of_sweep, shade
 from study.plan import read_json
@@ -19,6 +20,7 @@ COLUMNS = [
     "bump",
 ]
 COLUMNS_OF_PANELS = 4
+TICK = 2.0  # um
 
 
 def draw_panel(axes, rows, numbers, limits):
@@ -30,6 +32,8 @@ def draw_panel(axes, rows, numbers, limits):
             look = {"ms": 2.5, "mew": 0.7, "lw": 0.5, "mfc": colour if kept else "none"}
             axes.plot(steps.gap_position_um, steps.next_gap_position_um, "o-", color=colour, **look)
     axes.set(xlim=limits, ylim=limits, aspect="equal")
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(MultipleLocator(TICK))
 
 
 def draw(figure, maps):

@@ -5,6 +5,7 @@ The cell lingers at a stagnation point of the gap, so that this time grows as -l
 import numpy as np
 from study import style
 from study.extent import (
+    DECIDED,
     GREY,
     MARKERS,
     capillary_axis,
@@ -25,7 +26,8 @@ COLUMNS = [
     "speed_um_per_kilostep",
     "slowest_row_kilosteps",
 ]
-COLUMNS += ["critical_capillary_number", "distance", "run"]
+COLUMNS += ["critical_capillary_number", "half_width", "distance", "run"]
+LEGEND = {"fontsize": 6.5, "handlelength": 1.2, "columnspacing": 0.8, "handletextpad": 0.4}
 
 
 def slowest_rows(crossings):
@@ -35,10 +37,18 @@ def slowest_rows(crossings):
 
 
 def critical_numbers(boundary, dx_um):
-    """Middle of the closed brackets of the default settings at this lattice, by row shift."""
-    names = boundary.series.str.startswith("lattice-") & (boundary.status == "bracketed")
-    rows = boundary[names & ((boundary.dx_um.astype(float) - dx_um).abs() < 1e-3)]
-    return np.sqrt(rows.ca_displaced * rows.ca_zigzag).groupby(rows.row_shift_um.round(3)).first()
+    """Middle and half width, as a ratio less 1, of the two-sided brackets of the default settings at this
+    lattice, by row shift. A wide bracket counts too: its width is shown.
+    """
+    two_sided = boundary.ca_displaced.notna() & boundary.ca_zigzag.notna()
+    rows = boundary[boundary.series.str.startswith("lattice-") & two_sided]
+    rows = rows[(rows.dx_um.astype(float) - dx_um).abs() < 1e-3]
+    middle, width = (
+        np.sqrt(rows.ca_displaced * rows.ca_zigzag),
+        np.sqrt(rows.ca_zigzag / rows.ca_displaced) - 1,
+    )
+    table = rows.assign(middle=middle, half_width=width).groupby(rows.row_shift_um.round(3))
+    return table[["middle", "half_width"]].first()
 
 
 def cells(passages, crossings, boundary, plan):
@@ -49,22 +59,38 @@ def cells(passages, crossings, boundary, plan):
     same = boundary[(boundary.dx_um.astype(float) - dx).abs() < 1e-3].series.unique()
     names = [f"boundary/{name}" for name in same if name.startswith("lattice-")]
     rows = passages[passages.sweep.isin([plan["figures"]["trajectory_sweep"], *names])].drop_duplicates("run")
-    critical = rows.row_shift_um.round(3).map(critical_numbers(boundary, dx))
+    shifts, known = rows.row_shift_um.round(3), critical_numbers(boundary, dx)
+    critical = shifts.map(known.middle)
     return rows.assign(
         slowest_row_kilosteps=rows.run.map(slowest_rows(crossings)),
         critical_capillary_number=critical,
+        half_width=shifts.map(known.half_width),
         distance=rows.capillary_number / critical - 1,
     )
+
+
+def draw_lines(axes, rows):
+    """Panel (a): a line for every row shift with its number at the right end; close numbers move apart."""
+    speeds = rows.dropna(subset=["speed_um_per_kilostep"]).sort_values("capillary_number")
+    ends = speeds.groupby("row_shift_um").tail(1).sort_values("speed_um_per_kilostep")
+    gap, height = 0.035 * np.ptp(speeds.speed_um_per_kilostep.to_numpy()) if len(speeds) else 0, -np.inf
+    for end in ends.itertuples():
+        line = speeds[speeds.row_shift_um == end.row_shift_um]
+        axes.plot(line.capillary_number, line.speed_um_per_kilostep, color=GREY, lw=0.5, zorder=1)
+        height = max(end.speed_um_per_kilostep, height + gap)
+        place = {"textcoords": "offset points", "fontsize": 6, "color": GREY}
+        axes.annotate(f"{end.row_shift_um:.1f}", (end.capillary_number, height), (5, -2), **place)
 
 
 def draw_slowing(axes, rows):
     """Panel (b): a straight line is logarithmic slowing."""
     shown = rows[rows.distance.notna() & rows.slowest_row_kilosteps.notna()]
-    shown = shown[shown.distance != 0]
+    shown = shown[(shown.distance != 0) & shown["class"].isin(DECIDED)]
     shifts = sorted(shown.row_shift_um.unique())
     for k, shift in enumerate(shifts):
         colour = shade(k, len(shifts))
-        axes.plot([], [], color=colour, label=rf"$d$ = {shift:.1f} μm")
+        width = 100 * shown[shown.row_shift_um == shift].half_width.iloc[0]
+        axes.plot([], [], color=colour, label=rf"$d$ = {shift:.1f} μm, $\mathrm{{Ca}}_c$ ± {width:.0f} %")
         for (_, name), side in shown[shown.row_shift_um == shift].groupby([shown.distance > 0, "class"]):
             side = side.assign(distance=side.distance.abs()).sort_values("distance")
             look = {"ms": 3.5, "lw": 0.6, "mfc": colour if name == "displaced" else "white", "color": colour}
@@ -72,9 +98,10 @@ def draw_slowing(axes, rows):
     axes.set(xlabel=r"$|\mathrm{Ca}/\mathrm{Ca}_c - 1|$", ylabel="slowest row / 1000 steps")
     if len(shown):
         axes.set_xscale("log")
-        axes.legend(fontsize=7)
+        axes.legend(loc="lower left", bbox_to_anchor=(0.07, 1.0), ncols=2, **LEGEND)
     else:
-        panel_note(axes, "no closed bracket of the boundary")
+        axes.set(xticks=[], yticks=[])
+        panel_note(axes, "no two-sided bracket of the boundary")
 
 
 def main():
@@ -82,22 +109,16 @@ def main():
     plan = read_json(arguments.plan)
     tables = (read_table(path) for path in (arguments.table, arguments.crossings, arguments.boundary))
     rows = cells(*tables, plan)
-    styles = {"row_shift_um": ".1f", "capillary_number": ".4g"} | dict.fromkeys(COLUMNS[4:8], ".4f")
+    styles = {"row_shift_um": ".1f", "capillary_number": ".4g"} | dict.fromkeys(COLUMNS[4:9], ".4f")
     write_table(rows.to_dict("records"), COLUMNS, arguments.csv, COLUMNS[:3], styles)
-    figure = style.new_figure(style.PAGE, 2.9)
+    figure = style.new_figure(style.PAGE, 3.3)
     left, right = figure.subplots(1, 2)
-    for _, line in rows.groupby("row_shift_um"):
-        line = line.dropna(subset=["speed_um_per_kilostep"]).sort_values("capillary_number")
-        left.plot(line.capillary_number, line.speed_um_per_kilostep, color=GREY, lw=0.5, zorder=1)
-        if len(line):
-            end, text = line.iloc[-1], f"{line.row_shift_um.iloc[0]:.1f}"
-            place = (end.capillary_number, end.speed_um_per_kilostep)
-            left.annotate(text, place, (5, -2), textcoords="offset points", fontsize=6, color=GREY)
+    draw_lines(left, rows)
     draw_classes(left, rows, "capillary_number", "speed_um_per_kilostep")
     capillary_axis(left, rows.capillary_number)
     left.set(ylabel="mean speed / (μm / 1000 steps)")
     if len(rows):
-        left.legend(fontsize=7)
+        left.legend(loc="lower left", bbox_to_anchor=(0.07, 1.0), ncols=5, **LEGEND)
     else:
         panel_note(left, "no data")
     draw_slowing(right, rows)
