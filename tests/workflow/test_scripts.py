@@ -195,7 +195,7 @@ def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, root
         call("animation", **plan, outlines=folder / "animation.csv", **output)
         return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
 
-    first = make(results / "figures")
+    first = make(results / "drawn")
     assert sum(name.endswith(".pdf") for name in first) == 10
     assert sum(name.endswith(".png") for name in first) == 10
     if "smoke" in results.name:

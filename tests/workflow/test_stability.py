@@ -151,7 +151,7 @@ def solver(*arguments):
 def test_a_diverged_run_keeps_its_last_good_state(tmp_path):
     slack = {"local_area_modulus": 0, "global_area_modulus": 0, "capillary_number": 20}
     case, out, summary = write_case(tmp_path, cell=slack), tmp_path / "run.h5", tmp_path / "summary.json"
-    done = solver("run", case, out, "--summary", summary)
+    done = solver("run", case, out, "--summary", summary, "--force")  # refused otherwise
     assert done.returncode == 3, done.stderr
     assert "area of the cell" in done.stderr and "likely cure" in done.stderr
     facts = json.loads(summary.read_text())
