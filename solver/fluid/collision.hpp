@@ -41,6 +41,12 @@ inline Rates<Value> bgk_rates(Value tau) {
   return {rate, rate};
 }
 
+/// The rates of either collision operator.
+template <class Value>
+inline Rates<Value> relaxation_rates(bool bgk, Value tau, Scalar<Value> magic_parameter) {
+  return bgk ? bgk_rates(tau) : trt_rates(tau, magic_parameter);
+}
+
 /// Density deviation and velocity of a node.
 template <class Value>
 struct Moments {

@@ -22,10 +22,9 @@ Lattice<Real>::Lattice(const UnitCell& cell, const FluidModel& model)
       places_(streaming_places(cell, layout_)),
       links_(build_links(cell, layout_, model.walls, model.wall_motion)) {
   const std::size_t nodes = layout_.field_size();
-  const Real tau = static_cast<Real>(model.relaxation_time);
-  uniform_rates_ = model.collision == CollisionModel::bgk
-                       ? bgk_rates(tau)
-                       : trt_rates(tau, static_cast<Real>(model.magic_parameter));
+  uniform_rates_ =
+      relaxation_rates(model.collision == CollisionModel::bgk, static_cast<Real>(model.relaxation_time),
+                       static_cast<Real>(model.magic_parameter));
   assign_on_huge_pages(populations_, layout_.populations_size(), Real(0));
   for (auto& component : force) component.assign(nodes, Real(0));
   for (auto& component : velocity) component.assign(nodes, Real(0));
@@ -72,7 +71,7 @@ void Lattice<Real>::collide_run(const PlacesOfNode& places, const Segment& run) 
       load(local, force[1].data() + start + k), fy += local;
       load(local, force[2].data() + start + k), fz += local;
       load(tau, relaxation_time.data() + start + k);
-      rates = bgk ? bgk_rates(tau) : trt_rates(tau, magic);
+      rates = relaxation_rates(bgk, tau, magic);
     }
     const Moments<Vector> m = collide<Stokes>(f, fx, fy, fz, rates);
     if constexpr (Local) {
