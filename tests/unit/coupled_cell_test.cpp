@@ -65,13 +65,13 @@ TEST(CoupledCell, ProjectionKeepsTheVolumeInShear) {
     CellRun run(size, unit_cell(size), {0.3, 0.2, 0.1}, model);
     run.lattice.set_uniform_force(0, 0, 0);
     run.lattice.initialise([](int, int, int z) { return std::array<double, 3>{2e-3 * (z - 9.5), 0.0, 0.0}; });
-    run.advance(300);
+    run.advance(1200);
     const Eigen::MatrixX3d& x = run.coupled->positions();
     EXPECT_GT((x - run.membrane.reference().vertices).rowwise().norm().maxCoeff(), 0.5);
     return std::abs(run.volume_change());
   };
   EXPECT_LT(sheared(true), 1e-6);
-  EXPECT_GT(sheared(false), 3e-6);
+  EXPECT_GT(sheared(false), 1e-5);
 }
 
 TEST(CoupledCell, ProjectionRelaxesAVolumeThatIsWrong) {
