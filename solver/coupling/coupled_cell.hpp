@@ -27,7 +27,8 @@ struct CouplingModel {
   int steps_per_update = 1;  ///< fluid steps for one update of the membrane
   /// Distance (lattice spacings) by which the points of spreading and interpolation lie inside the membrane.
   /// A kernel makes a surface act as if it stood further out by a fixed share of a spacing, an error of first
-  /// order; moving the points in by that share takes it away (Breugem 2012).
+  /// order; moving the points in by that share is the remedy for rigid particles (Breugem 2012). For the cell
+  /// next to a pillar it takes away a part of the error of the centre and none of that of D_perp.
   double retraction = 0.0;
   bool project_volume = true;
   double volume_relaxation_steps = 50.0;  ///< T

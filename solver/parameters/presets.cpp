@@ -11,7 +11,8 @@ using Json = nlohmann::ordered_json;
 
 // The one table of presets. Between the lattices of `standard` and `reference` tau - 1/2 grows and the force
 // density falls with the number of nodes: the Reynolds number and the density variation stay, the space error
-// alone changes. `draft` doubles the force density. Errors are those of results/tables/accuracy_cost.csv.
+// alone changes. `draft` doubles the force density. Errors stay empty until the accuracy study has measured
+// them.
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> table = {
       {"draft",

@@ -71,7 +71,7 @@ double memory_MiB(const Case& c) {
 
 Json expected_cost(const Case& c) {
   if (c.scene != "passage" && c.scene != "streamlines") return nullptr;
-  constexpr double rate = 60e6, typical_rows = 10, array_share = 0.6;
+  constexpr double rate = 150e6, typical_rows = 10, array_share = 0.6;
   const LatticeParameters l = to_lattice(c);
   const double nodes = static_cast<double>(l.nx) * l.ny * l.nz *
                        (1 - 3.14 * l.pillar_radius * l.pillar_radius / (static_cast<double>(l.nx) * l.ny));
