@@ -44,6 +44,7 @@ Lattice<Real>::Lattice(const UnitCell& cell, const FluidModel& model)
     }
     planes_.push_back({first, static_cast<std::uint32_t>(segments_.size())});
   }
+  set_threads(1);
 }
 
 template <class Real>
@@ -135,41 +136,89 @@ void Lattice<Real>::collide_plane(Phase phase, int x, const ActiveRange& range) 
 }
 
 template <class Real>
+void Lattice<Real>::set_threads(int threads) {
+  // The two planes at either end of a block are treated apart.
+  const int count = std::clamp(threads, 1, std::max(1, cell_.nx / 4));
+  blocks_.assign(1, 0);
+  std::size_t nodes = 0;
+  for (int x = 0; x < cell_.nx && static_cast<int>(blocks_.size()) < count; ++x) {
+    const Row plane = planes_[static_cast<std::size_t>(x)];
+    for (std::uint32_t s = plane.first; s < plane.last; ++s)
+      nodes += static_cast<std::size_t>(segments_[s].length);
+    const int left = count - static_cast<int>(blocks_.size());  // blocks still to come, four planes each
+    const bool full = nodes * static_cast<std::size_t>(count) >= fluid_nodes_ * blocks_.size();
+    if (x + 1 - blocks_.back() >= 4 && (full || cell_.nx - (x + 1) <= 4 * left)) blocks_.push_back(x + 1);
+  }
+  blocks_.push_back(cell_.nx);
+}
+
+template <class Real>
 template <bool Stokes>
-void Lattice<Real>::step_with(const std::vector<ActiveRange>& active) {
-  const int nx = cell_.nx;
-  const auto range = [&](int x) {
-    return active.empty() ? ActiveRange{} : active[static_cast<std::size_t>(x)];
+void Lattice<Real>::local_step(const std::vector<ActiveRange>& active) {
+  // Only the planes of the cell, whose velocity is wanted now; the others follow with the streaming step.
+#pragma omp parallel for schedule(static, 1) num_threads(threads()) if (threads() > 1)
+  for (int x = 0; x < cell_.nx; ++x) {
+    const auto index = static_cast<std::size_t>(x);
+    const bool now = !active.empty() && active[index].length > 0;
+    local_step_done_[index] = now ? 1 : 0;
+    if (now) collide_plane<Stokes>(Phase::local, x, active[index]);
+  }
+}
+
+template <class Real>
+template <bool Stokes>
+void Lattice<Real>::finish_local_step(int x) {
+  auto& done = local_step_done_[static_cast<std::size_t>(x)];
+  if (done == 0) collide_plane<Stokes>(Phase::local, x, {});
+  done = 1;
+}
+
+// The streaming step of the planes begin .. end - 1 and all links inside; begin and end - 1 are prepared.
+template <class Real>
+template <bool Stokes>
+void Lattice<Real>::sweep(int begin, int end, const std::vector<ActiveRange>& active) {
+  for (int x = begin; x < end; ++x) {
+    if (x + 2 < end) finish_local_step<Stokes>(x + 2);
+    if (x + 2 < end) apply(links_.before[static_cast<std::size_t>(x + 1)]);
+    collide_plane<Stokes>(Phase::streaming, x,
+                          active.empty() ? ActiveRange{} : active[static_cast<std::size_t>(x)]);
+    if (x >= begin + 2) apply(links_.after[static_cast<std::size_t>(x - 1)]);
+  }
+}
+
+template <class Real>
+template <bool Stokes>
+void Lattice<Real>::streaming_step(const std::vector<ActiveRange>& active) {
+  // What concerns the planes at both ends of a block is done by all threads before and after the sweeps: a
+  // plane may be prepared once both neighbours have had their local step, and be brought home once both have
+  // streamed.
+  const int count = threads();
+  const auto at_ends = [this](int block, auto&& work) {
+    const int first = blocks_[static_cast<std::size_t>(block)];
+    const int last = blocks_[static_cast<std::size_t>(block) + 1] - 1;
+    work(first);
+    if (last > first) work(last);
   };
-  if (even_) {
-    // Only the planes of the cell, whose velocity is wanted now; the others follow with the streaming step.
-    for (int x = 0; x < nx; ++x) {
-      const bool now = range(x).length > 0;
-      local_step_done_[static_cast<std::size_t>(x)] = now ? 1 : 0;
-      if (now) collide_plane<Stokes>(Phase::local, x, range(x));
+#pragma omp parallel num_threads(count) if (count > 1)
+  {
+#pragma omp for schedule(static, 1)
+    for (int b = 0; b < count; ++b) {
+      at_ends(b, [&](int x) {
+        finish_local_step<Stokes>(x);
+        const int inner = x == blocks_[static_cast<std::size_t>(b)] ? x + 1 : x - 1;
+        if (inner >= 0 && inner < cell_.nx) finish_local_step<Stokes>(inner);
+      });
     }
-    return;
+#pragma omp for schedule(static, 1)
+    for (int b = 0; b < count; ++b)
+      at_ends(b, [&](int x) { apply(links_.before[static_cast<std::size_t>(x)]); });
+#pragma omp for schedule(static, 1)
+    for (int b = 0; b < count; ++b)
+      sweep<Stokes>(blocks_[static_cast<std::size_t>(b)], blocks_[static_cast<std::size_t>(b) + 1], active);
+#pragma omp for schedule(static, 1)
+    for (int b = 0; b < count; ++b)
+      at_ends(b, [&](int x) { apply(links_.after[static_cast<std::size_t>(x)]); });
   }
-  const auto local_step = [&](int x) {
-    auto& done = local_step_done_[static_cast<std::size_t>(x)];
-    if (done == 0) collide_plane<Stokes>(Phase::local, x, {});
-    done = 1;
-  };
-  const auto prepare = [&](int x) {
-    if (x >= nx) return;
-    local_step((x + 1) % nx);
-    apply(links_.before[static_cast<std::size_t>(x)]);
-  };
-  local_step(nx - 1);  // periodic neighbour of plane 0
-  local_step(0);
-  prepare(0);
-  for (int x = 0; x < nx; ++x) {
-    prepare(x + 1);
-    collide_plane<Stokes>(Phase::streaming, x, range(x));
-    if (x >= 2) apply(links_.after[static_cast<std::size_t>(x - 1)]);
-  }
-  apply(links_.after[0]);
-  if (nx > 1) apply(links_.after[static_cast<std::size_t>(nx - 1)]);
 }
 
 template <class Real>
@@ -190,10 +239,11 @@ void Lattice<Real>::apply(const LinkTable& table) {
 
 template <class Real>
 void Lattice<Real>::step(const std::vector<ActiveRange>& active) {
-  if (model_.equilibrium == EquilibriumModel::stokes) {
-    step_with<true>(active);
+  const bool stokes = model_.equilibrium == EquilibriumModel::stokes;
+  if (even_) {
+    stokes ? local_step<true>(active) : local_step<false>(active);
   } else {
-    step_with<false>(active);
+    stokes ? streaming_step<true>(active) : streaming_step<false>(active);
   }
   even_ = !even_;
 }

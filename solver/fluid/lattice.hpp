@@ -2,7 +2,8 @@
 /// The fluid on the lattice of one unit cell: storage, time step, moments. Populations live in one array and
 /// stream in place, in pairs of a local and a streaming step (AA pattern). The local step of a plane without
 /// a cell is put off until the streaming step comes by: both then find the plane in the fast cache, and the
-/// memory is read once for two steps.
+/// memory is read once for two steps. Threads share a step by blocks of planes; every population is computed
+/// by the same operations whatever their number, so results do not depend on it to the last bit.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -54,6 +55,9 @@ class Lattice {
   /// and velocity[] is written: u = (sum c f + F/2)/rho before the collision.
   void step(const std::vector<ActiveRange>& active);
   void step() { step({}); }
+  /// Threads that share a step, at most one for four planes.
+  void set_threads(int threads);
+  int threads() const { return static_cast<int>(blocks_.size()) - 1; }
   /// Number of steps so far is even: populations are in their natural places and moments can be read.
   bool even() const { return even_; }
 
@@ -97,7 +101,13 @@ class Lattice {
   template <bool Stokes>
   void collide_plane(Phase phase, int x, const ActiveRange& range);
   template <bool Stokes>
-  void step_with(const std::vector<ActiveRange>& active);
+  void local_step(const std::vector<ActiveRange>& active);
+  template <bool Stokes>
+  void streaming_step(const std::vector<ActiveRange>& active);
+  template <bool Stokes>
+  void sweep(int begin, int end, const std::vector<ActiveRange>& active);
+  template <bool Stokes>
+  void finish_local_step(int x);
   void apply(const LinkTable& table);
 
   UnitCell cell_;
@@ -111,6 +121,7 @@ class Lattice {
   std::array<double, 3> uniform_force_{};
   Rates<Real> uniform_rates_{};                ///< away from the cell
   std::vector<std::uint8_t> local_step_done_;  ///< per plane, between the two steps of a pair
+  std::vector<int> blocks_;                    ///< first plane of every thread, and nx
   std::size_t fluid_nodes_ = 0;
   bool even_ = true;
 };

@@ -55,6 +55,7 @@ Status run(const Case& c, RunContext& context) {
   const int width = static_cast<int>(std::lround(c.channel.width_um / l.um_per_lu));
   const UnitCell cell = channel_box(c, l, width);
   Lattice<Real> lattice(cell, make_fluid_model(c));
+  lattice.set_threads(context.threads);
   lattice.set_uniform_force(l.force_density, 0.0, 0.0);
   const SteadyState steady = run_to_steady_state(lattice, LateralFlow(false, l), c.stop.steady_tolerance,
                                                  c.stop.max_steps, context.progress);

@@ -43,6 +43,7 @@ class PassageRun {
         map_(map_options(c)),
         pillar_top_(surface_above_centre(pillars_)) {
     lattice_.set_uniform_force(l_.force_density, 0.0, 0.0);
+    lattice_.set_threads(context.threads);
   }
 
   Status run() {

@@ -31,7 +31,7 @@ struct RunContext {
   bool resume = true;                ///< continue from the checkpoint if there is one
   nlohmann::ordered_json summary = nlohmann::ordered_json::object();
   XdmfDescription xdmf = {};
-  int threads = 1;
+  int threads = 1;  ///< that share a time step; results do not depend on it
 };
 
 using SceneFunction = Status (*)(const Case&, RunContext&);

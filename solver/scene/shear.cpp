@@ -39,6 +39,7 @@ Status run(const Case& c, RunContext& context) {
   fluid.wall_motion = {-wall_speed, wall_speed};
   const UnitCell box = shear_box(n);
   Lattice<Real> lattice(box, fluid);
+  lattice.set_threads(context.threads);
   lattice.initialise([&](int, int, int z) {
     return std::array<double, 3>{rate * (z + box.origin_z), 0.0, 0.0};
   });

@@ -49,6 +49,7 @@ Status run(const Case& c, RunContext& context) {
   const PillarArray pillars = make_pillar_array(c);
   const UnitCell cell = make_unit_cell(c, pillars);
   Lattice<Real> lattice(cell, make_fluid_model(c));
+  lattice.set_threads(context.threads);
   lattice.set_uniform_force(l.force_density, 0.0, 0.0);
 
   const SteadyState steady = run_to_steady_state(lattice, LateralFlow(c.fluid.lateral_flow == "blocked", l),

@@ -74,6 +74,7 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
   // Stiff enough to relax soon, soft enough for the explicit coupling.
   constexpr double shear_lu = 0.02;
   Lattice<Real> lattice(quiescent_box(l.cell_radius), make_fluid_model(c));
+  lattice.set_threads(context.threads);
   Membrane membrane(make_cell(c.cell.shape, c.cell.mesh_frequency, l.cell_radius),
                     stretching_moduli(c, shear_lu, l.cell_radius, c.cell.volume_control == "penalty"));
   const PillarArray no_pillars(make_pillar("none", {}), lattice.cell().nx, lattice.cell().ny, 0.0);

@@ -1,6 +1,7 @@
 /// How fast the solver is, and against what: prints a table (CSV) of
 ///   quantity, precision, height, threads, value, unit, share_of_roofline
-/// Medians of several repetitions; the peaks of the machine are measured in the same run. Not a test.
+/// The share of a row "scaling" is its parallel efficiency. Medians of several repetitions; the peaks of the
+/// machine are measured in the same run. Not a test.
 ///
 ///   cmake --build build --target performance && build/performance > performance.csv
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <fstream>
 #include <functional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "fluid/collision.hpp"
@@ -51,8 +53,8 @@ const char* precision() {
 }
 
 void row(const std::string& quantity, const char* precision_name, const char* height, double value,
-         const char* unit, double share = -1) {
-  std::printf("%s,%s,%s,1,%.5g,%s,", quantity.c_str(), precision_name, height, value, unit);
+         const char* unit, double share = -1, int threads = 1) {
+  std::printf("%s,%s,%s,%d,%.5g,%s,", quantity.c_str(), precision_name, height, threads, value, unit);
   if (share >= 0) std::printf("%.3f", share);
   std::printf("\n");
   std::fflush(stdout);
@@ -147,12 +149,13 @@ void fluid(int refinement, bool half, double peak) {
 }
 
 template <class Real>
-void whole_step(int refinement, bool half) {
+void whole_step(int refinement, bool half, int threads = 1) {
   const Case c = scene(refinement, half);
   const LatticeParameters l = to_lattice(c);
   const PillarArray pillars = make_pillar_array(c);
   Lattice<Real> lattice(make_unit_cell(c, pillars), make_fluid_model(c));
   lattice.set_uniform_force(l.force_density, 0, 0);
+  lattice.set_threads(threads);
   Membrane membrane(make_cell("red_blood_cell", c.cell.mesh_frequency, l.cell_radius), make_moduli(c));
   Eigen::MatrixX3d x = membrane.reference().vertices;
   x.col(1).array() += l.pillar_radius + 0.5 * l.gap;  // in the gap
@@ -163,8 +166,8 @@ void whole_step(int refinement, bool half) {
   });
   const std::string size = std::to_string(80 * refinement) + "^2";
   const char* height = half ? "half" : "full";
-  row("whole step " + size, precision<Real>(), height, 1e3 * time / steps, "ms");
-  if (sizeof(Real) == 8 || refinement > 1 || !half) return;
+  row("whole step " + size, precision<Real>(), height, 1e3 * time / steps, "ms", -1, threads);
+  if (sizeof(Real) == 8 || refinement > 1 || !half || threads > 1) return;
   Eigen::MatrixX3d f = x, v = x;
   MembraneForces step_forces = membrane.step_forces(half ? MirrorSymmetry::about_z : MirrorSymmetry::none);
   Eigen::MatrixX3d g = x;
@@ -180,6 +183,47 @@ void whole_step(int refinement, bool half) {
   ViscosityField<Real> viscosity(lattice, membrane.reference().faces, 1.0, 3.0, false);
   row("inside/outside field", "single", height, 1e3 * seconds([&] { viscosity.update(cell.positions()); }),
       "ms");
+}
+
+/// The same work on 1, 2, 4 ... threads, as many as there are cores: fluid in full height, and the whole step
+/// of a passage.
+void strong_scaling() {
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  for (const int refinement : {1, 2, 4}) {
+    const Case c = scene(refinement, false);
+    const PillarArray pillars = make_pillar_array(c);
+    Lattice<float> lattice(make_unit_cell(c, pillars), make_fluid_model(c));
+    lattice.set_uniform_force(c.fluid.force_density, 0, 0);
+    const int steps = 2 * (100 / (refinement * refinement * refinement) + 1);
+    const std::string size = std::to_string(lattice.cell().nx) + "^2 x " + std::to_string(lattice.cell().nz);
+    double alone = 0;
+    for (int threads = 1; threads <= cores; threads *= 2) {
+      lattice.set_threads(threads);
+      const double time = seconds([&] {
+        for (int k = 0; k < steps; ++k) lattice.step();
+      });
+      if (threads == 1) alone = time;
+      row("scaling " + size, "single", "full", 1e3 * time / steps, "ms", alone / time / threads, threads);
+    }
+  }
+  for (int threads = 2; threads <= cores; threads *= 2) {
+    for (const int refinement : {1, 2}) whole_step<float>(refinement, true, threads);
+  }
+}
+
+/// Cost of the cell's forces for finer meshes.
+void mesh_growth() {
+  for (const int frequency : {5, 10, 20, 40}) {
+    Case c;
+    c.cell.mesh_frequency = frequency;
+    const Membrane membrane(make_cell("red_blood_cell", frequency, to_lattice(c).cell_radius),
+                            make_moduli(c));
+    MembraneForces step_forces = membrane.step_forces(MirrorSymmetry::about_z);
+    Eigen::MatrixX3d f = membrane.reference().vertices, g = f;
+    const double time = seconds([&] { step_forces.forces(membrane.reference().vertices, f, g); });
+    row("membrane forces, " + std::to_string(membrane.reference().faces.rows()) + " faces", "double", "half",
+        1e3 * time, "ms");
+  }
 }
 
 template <class Real>
@@ -210,5 +254,7 @@ int main() {
   row("updates per inside/outside field", "-", "-", Case{}.cell.viscosity_update_interval, "1");
   all<float>();
   all<double>();
+  strong_scaling();
+  mesh_growth();
   return 0;
 }

@@ -74,6 +74,17 @@ TEST(CoupledCell, ProjectionKeepsTheVolumeInShear) {
   EXPECT_GT(sheared(false), 1e-5);
 }
 
+TEST(CoupledCell, ThreadsChangeNoBit) {
+  CellRun alone(half_box, unit_cell(half_box), {start_x, start_y, 0});
+  alone.advance(40);
+  for (const int threads : {2, 3}) {
+    CellRun shared(half_box, unit_cell(half_box), {start_x, start_y, 0});
+    shared.lattice.set_threads(threads);
+    shared.advance(40);
+    EXPECT_EQ(largest_difference(alone, shared), 0.0) << threads << " threads";
+  }
+}
+
 TEST(CoupledCell, ProjectionRelaxesAVolumeThatIsWrong) {
   const BoxSize size{20, 20, 20, 0, 0, HeightBoundary::walls};
   CellRun run(size, unit_cell(size), {0, 0, 0});

@@ -132,6 +132,22 @@ TEST_P(LatticeAgainstNaive, FlowAgreesToRounding) {
   }
 }
 
+TEST_P(LatticeAgainstNaive, ThreadsChangeNoBit) {
+  const UnitCell cell = unit_cell(size(), origin_x(), origin_y());
+  NaiveFluid naive(size(), origin_x(), origin_y(), model());
+  Lattice<float> alone(cell, model());
+  for (const int threads : {2, 3, 5, 64}) {
+    Lattice<float> shared(cell, model());
+    shared.set_threads(threads);
+    EXPECT_EQ(shared.threads(), std::min(threads, size().nx / 4));
+    for (Lattice<float>* lattice : {&alone, &shared}) {
+      const auto active = prepare(*lattice, naive);
+      for (int step = 0; step < 10; ++step) lattice->step(active);
+    }
+    EXPECT_EQ(alone.populations(), shared.populations()) << threads << " threads";
+  }
+}
+
 TEST_P(LatticeAgainstNaive, SinglePrecisionAgreesToFiveDigits) {
   const UnitCell cell = unit_cell(size(), origin_x(), origin_y());
   NaiveFluid naive(size(), origin_x(), origin_y(), model());

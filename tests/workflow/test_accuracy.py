@@ -137,7 +137,27 @@ def test_the_table_has_every_method_at_every_point_and_over_all(table, results):
     assert len(exact) and (exact.error > 0).all()
 
 
-def test_diagrams_and_conclusions_follow_from_the_table(table, results, call):
+@pytest.fixture(scope="module")
+def check(results, call):
+    """Table of fast and conservative settings, of made-up runs."""
+    output = results / "tables" / "settings_check.csv"
+    call("settings_check", plan=results / "plan.json", runs=results / "runs", output=output)
+    return output
+
+
+def test_settings_check_compares_the_same_point(check, study):
+    rows = pd.read_csv(check)
+    assert len(rows) in {
+        len(tier["accuracy"]["settings_check"]["points"])
+        for tier in (study["tiers"]["smoke"], study["tiers"]["paper"])
+    }
+    assert (rows.run != rows.conservative_run).all()
+    change = rows.d_perp_um / rows.conservative_d_perp_um - 1
+    assert np.allclose(rows.d_perp_relative_change, change, atol=2e-4)
+    assert (rows.same_class == (rows["class"] == rows.conservative_class)).all()
+
+
+def test_diagrams_and_conclusions_follow_from_the_table(table, check, results, call):
     plan = {"plan": results / "plan.json", "table": table}
     for study in ("flow", "tweezer", "passages"):
         pdf = results / "figures" / f"work_precision_{study}.pdf"
@@ -147,7 +167,13 @@ def test_diagrams_and_conclusions_follow_from_the_table(table, results, call):
         assert pdf.read_bytes() == first
         assert pdf.with_suffix(".png").stat().st_size > 10_000
     text = results / "accuracy_conclusions.md"
-    call("accuracy_conclusions", **plan, runs=results / "runs", output=text)
+    call("accuracy_conclusions", **plan, check=check, runs=results / "runs", output=text)
     written = text.read_text(encoding="utf-8")
+    assert "## Fast settings against conservative ones" in written
+    ladder = [line for line in written.splitlines() if line.startswith("| phi4 | ")]
+    assert (
+        len(ladder)
+        == 3 * pd.read_csv(table).query("method == 'lattice, phi4' and point != 'all'").point.nunique()
+    )
     assert written.count("| error at most |") == 7
     assert ("## Presets" in written) == ("fine" in results.name)

@@ -6,7 +6,14 @@ import pytest
 from study import plan as planning
 
 GROUPS = {"streamlines", "stokes", "stretching", "passages", "boundary", "sensitivity", "sensitivity-flow"}
-GROUPS |= {"stability", "long-run", "accuracy-flow", "accuracy-tweezer", "accuracy-passages"}
+GROUPS |= {
+    "stability",
+    "long-run",
+    "accuracy-flow",
+    "accuracy-tweezer",
+    "accuracy-passages",
+    "settings-check",
+}
 CASE_SCHEMA = planning.read_json(planning.SCHEMAS / "case.schema.json")
 
 

@@ -7,6 +7,7 @@ WORK_PRECISION_FILES = expand(
 )
 ACCURACY_FILES = [
     f"{TABLES}/accuracy_cost.csv",
+    f"{TABLES}/settings_check.csv",
     f"{RESULTS}/accuracy_conclusions.md",
     *WORK_PRECISION_FILES,
 ]
@@ -51,10 +52,27 @@ rule accuracy_table:
         """
 
 
+rule settings_check:
+    input:
+        plan=rules.plan.output,
+        runs=of_runs("summary.json", "settings-check"),
+        script=f"{SCRIPTS}/settings_check.py",
+        package=PACKAGE,
+    output:
+        f"{TABLES}/settings_check.csv",
+    log:
+        f"{LOGS}/settings_check.log",
+    params:
+        runs=RUNS,
+    shell:
+        "python {input.script} --plan {input.plan} --runs {params.runs} --output {output} 2> {log}"
+
+
 rule accuracy_conclusions:
     input:
         plan=rules.plan.output,
         table=rules.accuracy_table.output,
+        check=rules.settings_check.output,
         script=f"{SCRIPTS}/accuracy_conclusions.py",
         package=PACKAGE,
     output:
@@ -65,8 +83,8 @@ rule accuracy_conclusions:
         runs=RUNS,
     shell:
         """
-        python {input.script} --plan {input.plan} --table {input.table} --runs {params.runs} \
-            --output {output} 2> {log}
+        python {input.script} --plan {input.plan} --table {input.table} --check {input.check} \
+            --runs {params.runs} --output {output} 2> {log}
         """
 
 

@@ -1,11 +1,13 @@
 """What the frontiers say, in words: the cheapest setting for a wanted accuracy, what failed, the error of the
-presets, and the weight of a membrane update that the run times give. All of it comes from the table."""
+presets, how passages converge with the lattice spacing, whether the fast settings of the study change a
+result, and the weight of a membrane update by the run times. All of it comes from the tables."""
 
 import argparse
 from pathlib import Path
 
 import numpy as np
 from study.accuracy import ALL, GOOD
+from study.fits import observed_order
 from study.plan import read_json
 from study.runs import load_runs
 from study.tables import read_table
@@ -64,6 +66,47 @@ def presets_of(table):
         yield f"| {setting} | {' | '.join(cells)} |"
 
 
+def ladders_of(table):
+    """Lines of a table: the measured lengths of the passages on every lattice, their order and limit."""
+    rows = table[(table.study == "passages") & (table.point != ALL) & table.method.str.startswith("lattice")]
+    spacings = sorted(rows.spacing.unique(), reverse=True)
+    if len(spacings) < 2:
+        return
+    yield "## Passages against the lattice spacing\n"
+    yield "um; limit of the observed order, else of first order from the two finest lattices (in brackets).\n"
+    yield "| method | point | length | " + " | ".join(f"{h:.3g} um" for h in spacings) + " | order | limit |"
+    yield "|---" * (len(spacings) + 5) + "|"
+    for (method, point, kind), part in rows.groupby(["method", "point", "error_kind"], sort=False):
+        found = part.dropna(subset=["value"]).drop_duplicates("spacing").set_index("spacing").value
+        found = found.sort_index(ascending=False)
+        if len(found) < 2:
+            continue
+        cells = [f"{found[h]:.3f}" if h in found.index else "" for h in spacings]
+        order = observed_order(found.index[-3:], found.to_numpy()[-3:]) if len(found) >= 3 else None
+        gain = (found.index[-2] / found.index[-1]) ** (order or 1.0) - 1
+        limit = found.iloc[-1] + (found.iloc[-1] - found.iloc[-2]) / gain
+        name = kind.removesuffix(", relative").removesuffix(", um")
+        cells += [f"{order:.2f}" if order else "(1)", f"{limit:.3f}"]
+        yield f"| {method.removeprefix('lattice, ')} | {point} | {name} | " + " | ".join(cells) + " |"
+    yield ""
+
+
+def check_of(check):
+    """Lines on the passages that were run with the settings of the study and with conservative ones."""
+    change, steps = check.d_perp_relative_change.abs(), check.steps_ratio
+    other = check[check.same_class == 0]
+    yield "## Fast settings against conservative ones\n"
+    yield (
+        f"{len(check)} passages: the same class in {len(check) - len(other)}; D_perp differs by "
+        f"{change.max():.2%} at most (median {change.median():.2%}); {steps.median():.1f} times fewer steps in "
+        "the median."
+    )
+    for row in other.itertuples():
+        place = f"d = {row.row_shift_um:g} um, Ca = {row.capillary_number:g}"
+        yield f"- {place}: {row[3]} with the settings of the study, {row.conservative_class} with the others"
+    yield ""
+
+
 def measured_weight(runs):
     """Weight of a membrane update and nanoseconds of a node update, from the run times in single precision.
 
@@ -83,7 +126,7 @@ def measured_weight(runs):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--table", "--runs", "--output"):
+    for name in ("--plan", "--table", "--check", "--runs", "--output"):
         parser.add_argument(name, required=True)
     arguments = parser.parse_args()
     plan, table = read_json(arguments.plan), read_table(arguments.table)
@@ -104,7 +147,7 @@ def main():
         lines += [f"## {study}: {kind}\n", *goals_of(rows), ""]
         failures = list(failures_of(rows))
         lines += ["Not usable:\n", *failures, ""] if failures else []
-    lines += presets_of(table)
+    lines += [*presets_of(table), "", *ladders_of(table), *check_of(read_table(arguments.check))]
     Path(arguments.output).write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 

@@ -49,7 +49,12 @@ def draw_rates(axes, table):
 
 def draw_step(axes, table):
     """The whole step at 80 x 80 x 6 in single precision, with its parts."""
-    rows = table[table.unit == "ms"].drop_duplicates("quantity").set_index("quantity").value
+    rows = (
+        table[(table.unit == "ms") & (table.threads == 1)]
+        .drop_duplicates("quantity")
+        .set_index("quantity")
+        .value
+    )
     shares = {name: rows[name] for name in PARTS if name in rows}
     whole = rows["whole step 80^2"]
     nodes = table[table.quantity == "fluid nodes 80^2"].value.iloc[0]

@@ -150,7 +150,8 @@ def make_plan(study, tier_name, case_schema):
             brackets[name] = found[0]
             runs += found[1]
     # Last, so that the brackets do not wait for runs that only the target `accuracy` needs.
-    runs += [planner.run(*point) for point in points.accuracy(tier)]
+    for source in (points.accuracy, points.settings_check):
+        runs += [planner.run(*point) for point in source(tier)]
     return {
         "tier": tier_name,
         "note": tier["note"],

@@ -98,6 +98,16 @@ def accuracy(tier):
                 yield f"accuracy-{study}", labels, merged(part["case"], how, entry["case"], where)
 
 
+def settings_check(tier):
+    """The same passages with the settings of the study and with conservative ones."""
+    part = tier["accuracy"]["settings_check"]
+    for settings in ("study", "conservative"):
+        for point in part["points"]:
+            shift, capillary = point["row_shift_um"], point["capillary_number"]
+            labels = {"settings": settings, "row_shift_um": shift, "capillary_number": capillary}
+            yield "settings-check", labels, merged(part["case"], part[settings], _at(shift, capillary))
+
+
 def boundary_brackets(tier):
     """(name, definition, overlay) of the brackets of the capillary number, one for each series and row
     shift.
