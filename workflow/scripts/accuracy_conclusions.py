@@ -98,8 +98,8 @@ def check_of(check):
     yield "## Fast settings against conservative ones\n"
     yield (
         f"{len(check)} passages: the same class in {len(check) - len(other)}; D_perp differs by "
-        f"{change.max():.2%} at most (median {change.median():.2%}); {steps.median():.1f} times fewer steps in "
-        "the median."
+        f"{change.max():.2%} at most (median {change.median():.2%}); {steps.median():.1f} times fewer steps "
+        "in the median."
     )
     for row in other.itertuples():
         place = f"d = {row.row_shift_um:g} um, Ca = {row.capillary_number:g}"
