@@ -140,7 +140,7 @@ template <class Phi>
 void ImmersedBoundary<Real>::locate_with(const Eigen::MatrixX3d& x,
                                          const std::vector<std::uint8_t>& near_solid) {
   const UnitCell& cell = lattice_.cell();
-#pragma omp parallel for num_threads(lattice_.threads()) if (lattice_.threads() > 1)
+#pragma omp parallel for num_threads(lattice_.threads()) if (shared())
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const int v = nodes_[n].vertex;
     stencils_[n] = stencil<Phi>(x(v, 0) - cell.origin_x, x(v, 1) - cell.origin_y, x(v, 2) - cell.origin_z,
@@ -223,7 +223,7 @@ void ImmersedBoundary<Real>::interpolate(Eigen::MatrixX3d& v) {
   using Four = stdx::fixed_size_simd<Real, 4>;
   extend_velocity();
   const auto width = static_cast<std::size_t>(width_);
-#pragma omp parallel for num_threads(lattice_.threads()) if (lattice_.threads() > 1)
+#pragma omp parallel for num_threads(lattice_.threads()) if (shared())
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const Stencil& s = stencils_[n];
     Four ux = Real(0), uy = Real(0), uz = Real(0);

@@ -54,6 +54,8 @@ class ImmersedBoundary {
   template <class Phi>
   Stencil stencil(double x, double y, double z, bool near_solid) const;
   void mark_active(const Eigen::MatrixX3d& x);
+  /// Is it worth calling other threads for work of about 20 ns a node?
+  bool shared() const { return lattice_.threads() > 1 && nodes_.size() > 1000; }
   /// Rows continue periodically into their padding, so that a stencil never wraps within a row.
   void fold_force();
   void extend_velocity();

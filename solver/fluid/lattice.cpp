@@ -156,7 +156,8 @@ template <class Real>
 template <bool Stokes>
 void Lattice<Real>::local_step(const std::vector<ActiveRange>& active) {
   // Only the planes of the cell, whose velocity is wanted now; the others follow with the streaming step.
-#pragma omp parallel for schedule(static, 1) num_threads(threads()) if (threads() > 1)
+  // In chunks, so that a thread finds most planes of its block of the streaming step in its own cache.
+#pragma omp parallel for schedule(static) num_threads(threads()) if (threads() > 1)
   for (int x = 0; x < cell_.nx; ++x) {
     const auto index = static_cast<std::size_t>(x);
     const bool now = !active.empty() && active[index].length > 0;
@@ -231,8 +232,9 @@ void Lattice<Real>::apply(const LinkTable& table) {
   }
   for (const Copy& copy : table.copies) p[copy.destination] = p[copy.source];
   for (const Combination& link : table.combinations) {
-    p[link.destination] = static_cast<Real>(link.weight[0]) * p[link.source[0]] +
-                          static_cast<Real>(link.weight[1]) * p[link.source[1]];
+    const Real first = static_cast<Real>(link.weight[0]), second = static_cast<Real>(link.weight[1]);
+    for (std::uint32_t layer = 0, shift = 0; layer < link.layers; ++layer, shift += layout_.row)
+      p[link.destination + shift] = first * p[link.source[0] + shift] + second * p[link.source[1] + shift];
   }
   for (const Addition& link : table.additions) p[link.destination] += static_cast<Real>(link.constant);
 }

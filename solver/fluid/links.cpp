@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "fluid/d3q19.hpp"
 
@@ -126,9 +127,9 @@ class LinkBuilder {
   }
 
   void combine(const Population& to, std::array<Population, 2> from, std::array<double, 2> weight) {
-    before_.combinations.push_back({to.after_local, {from[0].after_local, from[1].after_local}, weight});
+    before_.combinations.push_back({to.after_local, {from[0].after_local, from[1].after_local}, weight, 1});
     after_.combinations.push_back(
-        {to.after_streaming, {from[0].after_streaming, from[1].after_streaming}, weight});
+        {to.after_streaming, {from[0].after_streaming, from[1].after_streaming}, weight, 1});
   }
 
   /// Links of one plane as they are found.
@@ -138,8 +139,32 @@ class LinkBuilder {
     std::vector<Addition> additions;
   };
 
+  /// Combinations, sorted by destination, with equal ones above one another joined.
+  std::vector<Combination> in_columns(const std::vector<Combination>& single) const {
+    std::unordered_map<std::uint32_t, std::size_t> at;
+    for (std::size_t n = 0; n < single.size(); ++n) at[single[n].destination] = n;
+    std::vector<bool> joined(single.size(), false);
+    std::vector<Combination> columns;
+    for (std::size_t n = 0; n < single.size(); ++n) {
+      if (joined[n]) continue;
+      Combination column = single[n];
+      for (std::uint32_t shift = layout_.row;; ++column.layers, shift += layout_.row) {
+        const auto above = at.find(column.destination + shift);
+        if (above == at.end()) break;
+        const Combination& next = single[above->second];
+        const bool alike = !joined[above->second] && next.weight == column.weight &&
+                           next.source[0] == column.source[0] + shift &&
+                           next.source[1] == column.source[1] + shift;
+        if (!alike) break;
+        joined[above->second] = true;
+      }
+      columns.push_back(column);
+    }
+    return columns;
+  }
+
   /// Sorts by destination and merges neighbours into runs, so that rows move as blocks.
-  static LinkTable finish(Found& found) {
+  LinkTable finish(Found& found) const {
     std::sort(found.copies.begin(), found.copies.end(),
               [](const CopyRun& a, const CopyRun& b) { return a.destination < b.destination; });
     std::sort(found.combinations.begin(), found.combinations.end(),
@@ -165,7 +190,7 @@ class LinkBuilder {
       for (std::uint32_t k = 0; k < run.length; ++k)
         table.copies.push_back({run.destination + k, run.source + k});
     }
-    table.combinations = std::move(found.combinations);
+    table.combinations = in_columns(found.combinations);
     table.additions = std::move(found.additions);
     return table;
   }

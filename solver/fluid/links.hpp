@@ -73,11 +73,13 @@ struct Copy {
   std::uint32_t destination, source;
 };
 
-/// destination = sum of weight * source.
+/// destination = sum of weight * source, in each of the layers above one another: a pillar cuts the links of
+/// all layers alike. Places of the next layer are one row further.
 struct Combination {
   std::uint32_t destination;
   std::array<std::uint32_t, 2> source;
   std::array<double, 2> weight;
+  std::uint32_t layers = 1;
 };
 
 /// destination += constant: what a moving wall adds to a population that comes back from it.

@@ -1,8 +1,8 @@
 #pragma once
 /// Vectors stored as rows of four doubles (the last one unused), so that one vector is one load.
 ///
-/// Loops over a mesh read vectors by index: a row is copied whole, and a run of copied rows is worked on by the
-/// vectorised loop that follows.
+/// Loops over a mesh read vectors by index: a row is copied whole, and a run of copied rows is worked on by
+/// the vectorised loop that follows.
 #include <Eigen/Core>
 
 #include "membrane/vec3.hpp"

@@ -15,13 +15,17 @@ namespace {
 using test::BoxSize;
 using test::unit_cell;
 
-/// The tables of all planes in one.
-LinkTable joined(const std::vector<LinkTable>& planes) {
+/// The tables of all planes in one, each combination with one layer only.
+LinkTable joined(const std::vector<LinkTable>& planes, const LatticeLayout& layout) {
   LinkTable all;
   for (const LinkTable& table : planes) {
     all.runs.insert(all.runs.end(), table.runs.begin(), table.runs.end());
     all.copies.insert(all.copies.end(), table.copies.begin(), table.copies.end());
-    all.combinations.insert(all.combinations.end(), table.combinations.begin(), table.combinations.end());
+    for (const Combination& c : table.combinations) {
+      for (std::uint32_t shift = 0; shift < c.layers * layout.row; shift += layout.row)
+        all.combinations.push_back(
+            {c.destination + shift, {c.source[0] + shift, c.source[1] + shift}, c.weight, 1});
+    }
     all.additions.insert(all.additions.end(), table.additions.begin(), table.additions.end());
   }
   return all;
@@ -78,7 +82,7 @@ TEST(Links, EveryLinkThatLeavesTheFluidIsServedOnce) {
     const LatticeLayout layout(cell.nx, cell.ny, cell.nz);
     for (auto model : {WallModel::half_way, WallModel::interpolated}) {
       const LinkTables tables = build_links(cell, layout, model, {});
-      for (const LinkTable& table : {joined(tables.before), joined(tables.after)}) {
+      for (const LinkTable& table : {joined(tables.before, layout), joined(tables.after, layout)}) {
         const auto written = destinations(table);
         EXPECT_EQ(written.size(), links_that_leave(cell));
         for (const auto& [destination, times] : written) EXPECT_EQ(times, 1);
@@ -91,25 +95,35 @@ TEST(Links, EveryLinkThatLeavesTheFluidIsServedOnce) {
 
 TEST(Links, CombinationsHaveUnitSum) {
   const UnitCell cell = unit_cell(boxes()[0]);
-  const LinkTables tables =
-      build_links(cell, LatticeLayout(cell.nx, cell.ny, cell.nz), WallModel::interpolated, {});
-  const LinkTable before = joined(tables.before);
+  const LatticeLayout layout(cell.nx, cell.ny, cell.nz);
+  const LinkTables tables = build_links(cell, layout, WallModel::interpolated, {});
+  const LinkTable before = joined(tables.before, layout);
   EXPECT_GT(before.combinations.size(), 100u);
-  EXPECT_EQ(before.combinations.size(), joined(tables.after).combinations.size());
+  EXPECT_EQ(before.combinations.size(), joined(tables.after, layout).combinations.size());
   for (const Combination& c : before.combinations) {
     EXPECT_NEAR(c.weight[0] + c.weight[1], 1.0, 1e-14);
     EXPECT_GT(c.weight[0], 0.0);
     EXPECT_LE(c.weight[0], 1.0 + 1e-14);
   }
-  const LinkTables half_way = build_links(cell, LatticeLayout(12, 13, 4), WallModel::half_way, {});
-  EXPECT_TRUE(joined(half_way.before).combinations.empty());
+  const LinkTables half_way = build_links(cell, layout, WallModel::half_way, {});
+  EXPECT_TRUE(joined(half_way.before, layout).combinations.empty());
+}
+
+TEST(Links, APillarIsCutAlikeInAllLayers) {
+  const UnitCell cell = unit_cell({24, 25, 8, 7.3, 5, HeightBoundary::walls});
+  const LatticeLayout layout(cell.nx, cell.ny, cell.nz);
+  const LinkTables tables = build_links(cell, layout, WallModel::interpolated, {});
+  std::size_t columns = 0;
+  for (const LinkTable& table : tables.before) columns += table.combinations.size();
+  EXPECT_LT(columns * 6, joined(tables.before, layout).combinations.size());
 }
 
 TEST(Links, MovingWallsAddMomentumAndNoMass) {
   const UnitCell cell = unit_cell(boxes()[4]);
-  const LinkTables tables = build_links(cell, LatticeLayout(2, 2, 6), WallModel::half_way, {-0.01, 0.03});
+  const LatticeLayout layout(2, 2, 6);
+  const LinkTables tables = build_links(cell, layout, WallModel::half_way, {-0.01, 0.03});
   double sum = 0, largest = 0;
-  for (const Addition& link : joined(tables.before).additions) {
+  for (const Addition& link : joined(tables.before, layout).additions) {
     sum += link.constant;
     largest = std::max(largest, link.constant);
   }
