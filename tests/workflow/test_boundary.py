@@ -54,6 +54,15 @@ def test_the_fit_is_the_same_every_time():
     assert all(np.array_equal(a, b) for a, b in zip(first, second, strict=True))
 
 
+def test_four_wide_brackets_leave_an_uncertainty_that_holds_the_law():
+    """Nothing can be left out of four brackets, yet the law is not known exactly."""
+    shifts, low, high = SHIFTS[3:7], *(ends[3:7] for ends in made_brackets(0.3))
+    values, errors, below, above, _ = fit_boundary(shifts, low, high)
+    assert (errors > 0).all() and (below < values).all() and (values < above).all()
+    capillary = np.sqrt(low * high)
+    assert (np.abs(law(values, capillary) - shifts) < 0.4).all()
+
+
 def test_too_few_brackets_give_no_fit():
     assert fit_boundary([4.4, 6.0, 6.8], [0.7, 0.3, 0.2], [0.8, 0.4, 0.3]) is None
 

@@ -96,10 +96,20 @@ def _closed(low, high):
     return ~np.isnan(low) & ~np.isnan(high)
 
 
+def _placed(random, low, high):
+    """Brackets shrunk to one value each, drawn inside (evenly in ln Ca); one-sided ones stay as they are."""
+    closed = _closed(low, high)
+    value = np.exp(random.uniform(np.log(low[closed]), np.log(high[closed])))
+    low, high = low.copy(), high.copy()
+    low[closed] = high[closed] = value
+    return low, high * (1 + 1e-6)
+
+
 def bootstrap_boundary(shifts, low, high):
     """Most likely (offset, amplitude, rate, scatter) of d = a + b exp(-c Ca) through brackets [low, high] of
     Ca at row shifts d (um), NaN: no displaced (zigzag) point; and (offset, amplitude, rate) of resampled
-    brackets, (SAMPLES, 3).
+    brackets with the critical value drawn anywhere inside each, (SAMPLES, 3): few brackets leave little to
+    resample, and their width is an uncertainty of its own.
 
     None with fewer than four closed brackets.
     """
@@ -118,7 +128,8 @@ def bootstrap_boundary(shifts, low, high):
         pick = random.integers(len(shifts), size=len(shifts))
         closed = pick[_closed(low[pick], high[pick])]
         if len(set(closed)) >= 4:
-            samples.append(values(_maximum_likelihood(shifts[pick], low[pick], high[pick], best)))
+            drawn = _placed(random, low[pick], high[pick])
+            samples.append(values(_maximum_likelihood(shifts[pick], *drawn, best)))
     return np.append(values(best), SMALLEST_SCATTER_UM + math.exp(best[3])), np.array(samples)
 
 
