@@ -9,6 +9,7 @@ import numpy as np
 from study.boundary import PARAMETERS, law
 from study.claims import LIMIT, PAPER_RANGE, SERIES, SWEEP, Finding, at_paper_lattice, check, ranged, runs_of
 
+FINER = "lattice-0.2"  # series of brackets on the finer lattice
 CAPILLARY_NUMBERS = [0.1, 0.3, 0.5, 0.7, 1.2]  # of Fig. 6
 
 
@@ -43,24 +44,22 @@ def listed(rows):
 
 
 def other_lattices(tables, row_shift_um):
-    """What the finer lattice and the second start say at one row shift."""
-    table, notes = tables["passages"].rename(columns={"class": "label"}), []
-    for sweep in ("grid-fine", "second-start"):
-        rows = table[(table.sweep == sweep) & (table.row_shift_um.sub(row_shift_um).abs() < 1e-6)]
-        if len(rows):
-            notes.append(f"{sweep}: {listed(rows)}")
-    return "; ".join(notes)
+    """What the finer lattice and the limit say at one row shift."""
+    found = {name: near_boundary(tables, row_shift_um, name) for name in (FINER, LIMIT)}
+    return "; ".join(f"d = {row_shift_um:g}, {name}: {text}" for name, text in found.items() if text)
 
 
-def near_boundary(tables, row_shift_um):
-    """The bracket of the critical capillary number in words: how sure a class is."""
+def near_boundary(tables, row_shift_um, series=SERIES):
+    """The bracket of the critical capillary number in words: how sure a class is; empty if there is none."""
     rows = tables["phase_boundary"]
-    rows = rows[(rows.series == SERIES) & (rows.row_shift_um.sub(row_shift_um).abs() < 1e-6)]
+    rows = rows[(rows.series == series) & (rows.row_shift_um.sub(row_shift_um).abs() < 1e-6)]
     if rows.empty:
         return ""
     row = rows.iloc[0]
     if row.status.startswith("all"):
-        return row.status
+        return f"{row.status} up to Ca = {row.ca_displaced:g}" if row.ca_displaced > 0 else row.status
+    if not (row.ca_displaced > 0 and row.ca_zigzag > 0):
+        return ""
     return f"critical Ca {row.ca_displaced:.3g} ... {row.ca_zigzag:.3g}"
 
 
@@ -120,7 +119,7 @@ def phase_boundary(tables, claim, _):
         a, b, c = rows.value
         return f"{a:.2f} + {b:.2f} exp(-{c:.2f} Ca), off by {distance(rows):.2f} um at most"
 
-    others = {name: fitted(tables, name) for name in ("lattice-0.2", LIMIT, "paper-text")}
+    others = {name: fitted(tables, name) for name in (FINER, LIMIT, "paper-text")}
     note = "; ".join(f"{name}: {text(rows)}" for name, rows in others.items() if rows is not None)
     interval = ", ".join(f"{name} {row.low:.2f} ... {row.high:.2f}" for name, row in found.iterrows())
     boundary = tables["phase_boundary"]
