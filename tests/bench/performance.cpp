@@ -221,7 +221,7 @@ void mesh_growth() {
     MembraneForces step_forces = membrane.step_forces(MirrorSymmetry::about_z);
     Eigen::MatrixX3d f = membrane.reference().vertices, g = f;
     const double time = seconds([&] { step_forces.forces(membrane.reference().vertices, f, g); });
-    row("membrane forces, " + std::to_string(membrane.reference().faces.rows()) + " faces", "double", "half",
+    row("membrane forces " + std::to_string(membrane.reference().faces.rows()) + " faces", "double", "half",
         1e3 * time, "ms");
   }
 }

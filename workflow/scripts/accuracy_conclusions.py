@@ -41,6 +41,12 @@ def goals_of(rows):
             yield f"| {goal:g} | {name_of(row)} | {row.error:.1e} | {row.work_units:.1e} | {seconds} |"
 
 
+def judged_points(table):
+    """Rows to draw conclusions from: over all points together, of passages at each point, because a setting
+    that finds the right class at one point may miss it at another."""
+    return table[(table.point == ALL) != (table.study == "passages")]
+
+
 def failures_of(rows):
     """Lines on the settings that did not end well."""
     bad = rows[~rows.status.isin(["ok", "no reference"])].drop_duplicates(["method", "setting"])
@@ -135,18 +141,22 @@ def main():
     lines += [f"**{plan['note']}**\n"] if plan["note"] else []
     weight = plan["accuracy"]["membrane_update_weight"]
     lines.append(
-        f"Errors are largest deviations over the points of a study from the limit of another scheme. Work is "
-        f"counted in updates of fluid nodes; a membrane node counts {weight:g}. Seconds are those of the "
-        "pipeline, with other runs beside each.\n"
+        "Errors are largest deviations from the limit of another scheme, over all points or at the point "
+        f"named. Work is counted in updates of fluid nodes; a membrane node counts {weight:g}. Seconds are "
+        "those of the pipeline, with other runs beside each.\n"
     )
     found = measured_weight(load_runs(arguments.plan, arguments.runs, "accuracy-passages"))
     if found:
         text = f"a weight of {found[0]:.0f} and {found[1]:.1f} ns per node update"
         lines.append(f"The run times of the passages give {text}.\n")
-    for (study, kind), rows in table[table.point == ALL].groupby(["study", "error_kind"], sort=False):
-        lines += [f"## {study}: {kind}\n", *goals_of(rows), ""]
+    rows_of = judged_points(table).groupby
+    for (study, kind, point), rows in rows_of(["study", "error_kind", "point"], sort=False):
+        place = "" if point == ALL else f", {point}"
+        lines += [f"## {study}: {kind}{place}\n", *goals_of(rows), ""]
+    for (study, point), rows in rows_of(["study", "point"], sort=False):
         failures = list(failures_of(rows))
-        lines += ["Not usable:\n", *failures, ""] if failures else []
+        place = "" if point == ALL else f", {point}"
+        lines += [f"## {study}{place}: not usable\n", *failures, ""] if failures else []
     lines += [*presets_of(table), "", *ladders_of(table), *check_of(read_table(arguments.check))]
     Path(arguments.output).write_text("\n".join(lines) + "\n", encoding="utf-8")
 
