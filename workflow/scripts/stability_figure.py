@@ -21,7 +21,7 @@ NAMES = {
     "/cell/mesh_frequency": "mesh frequency",
     "/cell/viscosity_ratio": "viscosity ratio",
     "/cell/bending_ratio": r"$k_B$ / ($k_S r^2$)",
-    "/coupling/steps_per_update": "fluid steps per membrane update",
+    "/coupling/steps_per_update": "fluid steps per update",
     "/coupling/pillar_repulsion": r"repulsion / ($p' l\,dx^2$)",
 }
 COLUMNS = 3

@@ -1,9 +1,11 @@
-"""Work-precision diagram of one study: error against work units and against seconds, over all points.
+"""Work-precision diagram of one study: error against work units and against seconds, over all points. For
+passages each point stands for itself, error against work: a setting that finds the class at one point may
+miss it at another.
 
 Lower left is better. Lines join the ladders of a method, the step line is the Pareto frontier, open markers
 at the upper edge are settings that failed or found another class, and the grey bands are the uncertainty of
-the references, below which nothing is told apart. Beside it stand the settings on the
-frontier, with the number of others of the same cost and error.
+the references, below which nothing is told apart. Beside it stand the settings on the frontier, with the
+number of others of the same cost and error.
 """
 
 import argparse
@@ -18,7 +20,16 @@ from study.tables import read_table, write_table
 
 COSTS = {"work_units": "work / node updates", "seconds": "run time / s"}
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">", "h", "p", "*", "d", "8"]
-COLUMNS = ["error_kind", "method", "setting", "error", "reference", "reference_uncertainty", "work_units"]
+COLUMNS = [
+    "point",
+    "error_kind",
+    "method",
+    "setting",
+    "error",
+    "reference",
+    "reference_uncertainty",
+    "work_units",
+]
 COLUMNS += ["seconds", "status", "on_frontier"]
 LISTED = 12  # settings of the frontier that find room beside the diagram
 STYLES = dict.fromkeys(["error", "reference_uncertainty", "work_units", "seconds"], ".3e")
@@ -92,6 +103,14 @@ def list_frontier(axes, rows):
             axes.text(place, 1.0 - number * line, text, ha=align, va="top", fontsize=6.5)
 
 
+def panels_of(rows):
+    """(point, cost) of the panels of a line: every point against work, or all points against every cost."""
+    points = list(dict.fromkeys(rows.point))
+    if points != [ALL]:
+        return [(point, "work_units") for point in points]
+    return [(ALL, cost) for cost in COSTS if rows[cost].notna().any()]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     for name in ("--plan", "--table", "--study", "--csv", "--output"):
@@ -99,22 +118,31 @@ def main():
     arguments = parser.parse_args()
     plan, table = read_json(arguments.plan), read_table(arguments.table)
     table["setting"] = table.setting.astype(object).where(table.setting.notna(), "").astype(str)
-    rows = table[(table.study == arguments.study) & (table.point == ALL)]
-    write_table(rows.to_dict("records"), COLUMNS, arguments.csv, ["error_kind", "work_units"], STYLES)
+    rows = table[table.study == arguments.study]
+    rows = rows[(rows.point != ALL) if arguments.study == "passages" else (rows.point == ALL)]
+    write_table(
+        rows.to_dict("records"), COLUMNS, arguments.csv, ["point", "error_kind", "work_units"], STYLES
+    )
     kinds = list(dict.fromkeys(rows.error_kind))
     methods = plan["accuracy"]["studies"].get(arguments.study, {}).get("methods", {})
     ladders = {name for name, method in methods.items() if "ladder" in method} | {"depth-averaged flow"}
     look = looks(rows)
+    panels = panels_of(rows)
+    listed = len({point for point, _ in panels}) == 1
     figure = style.new_figure(10.0, 0.9 + 2.4 * len(kinds))
-    grid = figure.subplots(len(kinds), 3, squeeze=False, width_ratios=(1, 1, 1.05))
+    widths = [1.0] * len(panels) + [1.05] * listed
+    grid = figure.subplots(len(kinds), len(widths), squeeze=False, width_ratios=widths)
     for line, kind in zip(grid, kinds, strict=True):
         part = rows[rows.error_kind == kind]
-        for axes, cost in zip(line, COSTS, strict=False):
-            draw(axes, part, cost, look, ladders)
+        for axes, (point, cost) in zip(line, panels, strict=False):
+            draw(axes, part[part.point == point], cost, look, ladders)
+            if not listed and kind == kinds[0]:
+                axes.set_title(point, loc="left", pad=8)
         line[0].set_ylabel(f"error of {kind}")
-        list_frontier(line[2], part)
+        if listed:
+            list_frontier(line[-1], part)
     style_handles = {}
-    for axes in grid[:, :2].ravel():
+    for axes in grid[:, : len(panels)].ravel():
         style_handles |= dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
     figure.legend(style_handles.values(), style_handles.keys(), loc="outside lower center", ncols=4)
     style.save(figure, arguments.output, plan["note"])
