@@ -152,6 +152,15 @@ void Lattice<Real>::set_threads(int threads) {
   blocks_.push_back(cell_.nx);
 }
 
+namespace {
+
+/// The active range of plane x; no ranges at all mean that there is no cell.
+ActiveRange range_of(const std::vector<ActiveRange>& active, int x) {
+  return active.empty() ? ActiveRange{} : active[static_cast<std::size_t>(x)];
+}
+
+}  // namespace
+
 template <class Real>
 template <bool Stokes>
 void Lattice<Real>::local_step(const std::vector<ActiveRange>& active) {
@@ -159,10 +168,10 @@ void Lattice<Real>::local_step(const std::vector<ActiveRange>& active) {
   // In chunks, so that a thread finds most planes of its block of the streaming step in its own cache.
 #pragma omp parallel for schedule(static) num_threads(threads()) if (threads() > 1)
   for (int x = 0; x < cell_.nx; ++x) {
-    const auto index = static_cast<std::size_t>(x);
-    const bool now = !active.empty() && active[index].length > 0;
-    local_step_done_[index] = now ? 1 : 0;
-    if (now) collide_plane<Stokes>(Phase::local, x, active[index]);
+    const ActiveRange range = range_of(active, x);
+    const bool now = range.length > 0;
+    local_step_done_[static_cast<std::size_t>(x)] = now ? 1 : 0;
+    if (now) collide_plane<Stokes>(Phase::local, x, range);
   }
 }
 
@@ -179,10 +188,11 @@ template <class Real>
 template <bool Stokes>
 void Lattice<Real>::sweep(int begin, int end, const std::vector<ActiveRange>& active) {
   for (int x = begin; x < end; ++x) {
-    if (x + 2 < end) finish_local_step<Stokes>(x + 2);
-    if (x + 2 < end) apply(links_.before[static_cast<std::size_t>(x + 1)]);
-    collide_plane<Stokes>(Phase::streaming, x,
-                          active.empty() ? ActiveRange{} : active[static_cast<std::size_t>(x)]);
+    if (x + 2 < end) {
+      finish_local_step<Stokes>(x + 2);
+      apply(links_.before[static_cast<std::size_t>(x + 1)]);
+    }
+    collide_plane<Stokes>(Phase::streaming, x, range_of(active, x));
     if (x >= begin + 2) apply(links_.after[static_cast<std::size_t>(x - 1)]);
   }
 }
@@ -194,31 +204,25 @@ void Lattice<Real>::streaming_step(const std::vector<ActiveRange>& active) {
   // plane may be prepared once both neighbours have had their local step, and be brought home once both have
   // streamed.
   const int count = threads();
-  const auto at_ends = [this](int block, auto&& work) {
-    const int first = blocks_[static_cast<std::size_t>(block)];
-    const int last = blocks_[static_cast<std::size_t>(block) + 1] - 1;
-    work(first);
-    if (last > first) work(last);
+  const auto first = [this](int block) { return blocks_[static_cast<std::size_t>(block)]; };
+  const auto last = [this](int block) { return blocks_[static_cast<std::size_t>(block) + 1] - 1; };
+  const auto apply_at_ends = [&](const std::vector<LinkTable>& tables, int block) {
+    apply(tables[static_cast<std::size_t>(first(block))]);
+    if (last(block) > first(block)) apply(tables[static_cast<std::size_t>(last(block))]);
   };
 #pragma omp parallel num_threads(count) if (count > 1)
   {
 #pragma omp for schedule(static, 1)
     for (int b = 0; b < count; ++b) {
-      at_ends(b, [&](int x) {
-        finish_local_step<Stokes>(x);
-        const int inner = x == blocks_[static_cast<std::size_t>(b)] ? x + 1 : x - 1;
-        if (inner >= 0 && inner < cell_.nx) finish_local_step<Stokes>(inner);
-      });
+      for (const int x : {first(b), first(b) + 1, last(b) - 1, last(b)})
+        finish_local_step<Stokes>(std::clamp(x, first(b), last(b)));
     }
 #pragma omp for schedule(static, 1)
-    for (int b = 0; b < count; ++b)
-      at_ends(b, [&](int x) { apply(links_.before[static_cast<std::size_t>(x)]); });
+    for (int b = 0; b < count; ++b) apply_at_ends(links_.before, b);
 #pragma omp for schedule(static, 1)
-    for (int b = 0; b < count; ++b)
-      sweep<Stokes>(blocks_[static_cast<std::size_t>(b)], blocks_[static_cast<std::size_t>(b) + 1], active);
+    for (int b = 0; b < count; ++b) sweep<Stokes>(first(b), last(b) + 1, active);
 #pragma omp for schedule(static, 1)
-    for (int b = 0; b < count; ++b)
-      at_ends(b, [&](int x) { apply(links_.after[static_cast<std::size_t>(x)]); });
+    for (int b = 0; b < count; ++b) apply_at_ends(links_.after, b);
   }
 }
 

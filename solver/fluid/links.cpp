@@ -152,8 +152,7 @@ class LinkBuilder {
         const auto above = at.find(column.destination + shift);
         if (above == at.end()) break;
         const Combination& next = single[above->second];
-        const bool alike = !joined[above->second] && next.weight == column.weight &&
-                           next.source[0] == column.source[0] + shift &&
+        const bool alike = next.weight == column.weight && next.source[0] == column.source[0] + shift &&
                            next.source[1] == column.source[1] + shift;
         if (!alike) break;
         joined[above->second] = true;

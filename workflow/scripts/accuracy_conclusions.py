@@ -2,15 +2,14 @@
 presets, how passages converge with the lattice spacing, whether the fast settings of the study change a
 result, and the weight of a membrane update by the run times. All of it comes from the tables."""
 
-import argparse
 from pathlib import Path
 
 import numpy as np
-from study.accuracy import ALL, GOOD
-from study.fits import observed_order
+from study.accuracy import ALL, GOOD, judged_points
+from study.fits import first_order_limit
 from study.plan import read_json
 from study.runs import load_runs
-from study.tables import read_table
+from study.tables import read_table, table_arguments
 
 GOALS = [0.1, 0.03, 0.01, 0.003]
 
@@ -39,12 +38,6 @@ def goals_of(rows):
         else:
             seconds = "" if row.seconds != row.seconds else f"{row.seconds:.2g}"
             yield f"| {goal:g} | {name_of(row)} | {row.error:.1e} | {row.work_units:.1e} | {seconds} |"
-
-
-def judged_points(table):
-    """Rows to draw conclusions from: over all points together, of passages at each point, because a setting
-    that finds the right class at one point may miss it at another."""
-    return table[(table.point == ALL) != (table.study == "passages")]
 
 
 def failures_of(rows):
@@ -88,9 +81,7 @@ def ladders_of(table):
         if len(found) < 2:
             continue
         cells = [f"{found[h]:.3f}" if h in found.index else "" for h in spacings]
-        order = observed_order(found.index[-3:], found.to_numpy()[-3:]) if len(found) >= 3 else None
-        gain = (found.index[-2] / found.index[-1]) ** (order or 1.0) - 1
-        limit = found.iloc[-1] + (found.iloc[-1] - found.iloc[-2]) / gain
+        limit, order = first_order_limit(found.index.to_numpy(), found.to_numpy())
         name = kind.removesuffix(", relative").removesuffix(", um")
         cells += [f"{order:.2f}" if order else "(1)", f"{limit:.3f}"]
         yield f"| {method.removeprefix('lattice, ')} | {point} | {name} | " + " | ".join(cells) + " |"
@@ -107,9 +98,10 @@ def check_of(check):
         f"{change.max():.2%} at most (median {change.median():.2%}); {steps.median():.1f} times fewer steps "
         "in the median."
     )
-    for row in other.itertuples():
-        place = f"d = {row.row_shift_um:g} um, Ca = {row.capillary_number:g}"
-        yield f"- {place}: {row[3]} with the settings of the study, {row.conservative_class} with the others"
+    for row in other.to_dict("records"):
+        place = f"d = {row['row_shift_um']:g} um, Ca = {row['capillary_number']:g}"
+        labels = f"{row['class']} with the settings of the study, {row['conservative_class']} with the others"
+        yield f"- {place}: {labels}"
     yield ""
 
 
@@ -131,10 +123,7 @@ def measured_weight(runs):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--table", "--check", "--runs", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = table_arguments(__doc__, "table", "check")
     plan, table = read_json(arguments.plan), read_table(arguments.table)
     table["setting"] = table.setting.astype(object).where(table.setting.notna(), "").astype(str)
     lines = ["# Accuracy against cost: what the frontiers say\n"]
@@ -149,14 +138,13 @@ def main():
     if found:
         text = f"a weight of {found[0]:.0f} and {found[1]:.1f} ns per node update"
         lines.append(f"The run times of the passages give {text}.\n")
-    rows_of = judged_points(table).groupby
-    for (study, kind, point), rows in rows_of(["study", "error_kind", "point"], sort=False):
-        place = "" if point == ALL else f", {point}"
-        lines += [f"## {study}: {kind}{place}\n", *goals_of(rows), ""]
-    for (study, point), rows in rows_of(["study", "point"], sort=False):
+    judged = judged_points(table)
+    places = {point: "" if point == ALL else f", {point}" for point in judged.point}
+    for (study, kind, point), rows in judged.groupby(["study", "error_kind", "point"], sort=False):
+        lines += [f"## {study}: {kind}{places[point]}\n", *goals_of(rows), ""]
+    for (study, point), rows in judged.groupby(["study", "point"], sort=False):
         failures = list(failures_of(rows))
-        place = "" if point == ALL else f", {point}"
-        lines += [f"## {study}{place}: not usable\n", *failures, ""] if failures else []
+        lines += [f"## {study}{places[point]}: not usable\n", *failures, ""] if failures else []
     lines += [*presets_of(table), "", *ladders_of(table), *check_of(read_table(arguments.check))]
     Path(arguments.output).write_text("\n".join(lines) + "\n", encoding="utf-8")
 

@@ -8,7 +8,7 @@ of another crossing. A film that ends below zero shows that these lattices are t
 import numpy as np
 from study import style
 from study.extent import DECIDED, MARKERS, figure_arguments, panel_note, shade
-from study.fits import observed_order
+from study.fits import first_order_limit
 from study.plan import read_json
 from study.tables import read_table, write_table
 
@@ -52,13 +52,6 @@ def lane_rows(crossings):
     return zigs.groupby("run").row.diff().groupby(zigs.run).last()
 
 
-def limit(spacings, values):
-    """(value at dx = 0, order) of values on lattices from coarse to fine."""
-    order = observed_order(spacings[-3:], values[-3:]) if len(spacings) >= 3 else None
-    ratio = (spacings[-2] / spacings[-1]) ** (order or 1.0)
-    return values[-1] + (values[-1] - values[-2]) / (ratio - 1), order or 1.0
-
-
 def series_of(cells, observable):
     """One observable of one point from coarse to fine, then its limit at dx = 0; empty for one lattice."""
     known = cells[cells[observable].notna()].sort_values("dx_um", ascending=False)
@@ -74,10 +67,10 @@ def series_of(cells, observable):
         status = "crossing differs"
     else:
         values = known[observable].to_numpy(float)
-        end, order = limit(known.dx_um.to_numpy(float), values)
+        end, order = first_order_limit(known.dx_um.to_numpy(float), values)
         status = "limit" if end >= 0 else "negative"
         change = 100 * (end / values[0] - 1) if values[0] else None
-        found = {"dx_um": 0.0, "class": rows[0]["class"], "value": end, "order": order}
+        found = {"dx_um": 0.0, "class": rows[0]["class"], "value": end, "order": order or 1.0}
         rows.append(place | found | {"change_percent": change})
     return [row | {"status": status} for row in rows]
 

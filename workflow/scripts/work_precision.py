@@ -13,7 +13,7 @@ import argparse
 import numpy as np
 from matplotlib.ticker import LogLocator, NullFormatter
 from study import style
-from study.accuracy import ALL
+from study.accuracy import ALL, judged_points
 from study.frontier import on_frontier, step_line
 from study.plan import read_json
 from study.tables import read_table, write_table
@@ -118,8 +118,7 @@ def main():
     arguments = parser.parse_args()
     plan, table = read_json(arguments.plan), read_table(arguments.table)
     table["setting"] = table.setting.astype(object).where(table.setting.notna(), "").astype(str)
-    rows = table[table.study == arguments.study]
-    rows = rows[(rows.point != ALL) if arguments.study == "passages" else (rows.point == ALL)]
+    rows = judged_points(table[table.study == arguments.study])
     write_table(
         rows.to_dict("records"), COLUMNS, arguments.csv, ["point", "error_kind", "work_units"], STYLES
     )
@@ -128,7 +127,7 @@ def main():
     ladders = {name for name, method in methods.items() if "ladder" in method} | {"depth-averaged flow"}
     look = looks(rows)
     panels = panels_of(rows)
-    listed = len({point for point, _ in panels}) == 1
+    listed = rows.point.nunique() == 1
     figure = style.new_figure(10.0, 0.9 + 2.4 * len(kinds))
     widths = [1.0] * len(panels) + [1.05] * listed
     grid = figure.subplots(len(kinds), len(widths), squeeze=False, width_ratios=widths)

@@ -177,3 +177,9 @@ def mark_frontiers(rows):
         for row, kept in zip(members, on_frontier(costs, [*map(resolved_error, members)]), strict=True):
             row["on_frontier"] = bool(kept)
     return rows
+
+
+def judged_points(rows):
+    """Rows of a cost table to draw conclusions from: over all points together, of passages at each point,
+    because a setting that finds the right class at one point may miss it at another."""
+    return rows[(rows.point == ALL) != (rows.study == "passages")]

@@ -102,7 +102,7 @@ def _placed(random, low, high):
     value = np.exp(random.uniform(np.log(low[closed]), np.log(high[closed])))
     low, high = low.copy(), high.copy()
     low[closed] = high[closed] = value
-    return low, high * (1 + 1e-6)
+    return low, high * (1 + 1e-6)  # an interval of no width would have no chance at all
 
 
 def bootstrap_boundary(shifts, low, high):

@@ -46,6 +46,18 @@ def observed_order(spacings, values):
     return brentq(mismatch, 0.5, 4.0) if mismatch(0.5) * mismatch(4.0) < 0 else None
 
 
+def two_lattice_limit(spacings, values, order):
+    """Limit at vanishing spacing through the two finest of values = limit + a spacing^order, coarse first."""
+    return values[-1] + (values[-1] - values[-2]) / ((spacings[-2] / spacings[-1]) ** order - 1)
+
+
+def first_order_limit(spacings, values):
+    """(limit, observed order or None) of a length next to a pillar, coarse lattice first: of the order that
+    three lattices show, else of first order."""
+    order = observed_order(spacings[-3:], values[-3:]) if len(spacings) >= 3 else None
+    return two_lattice_limit(spacings, values, order or 1.0), order
+
+
 def refined_limit(spacings, values):
     """Limit of `values` at vanishing lattice spacing, as (limit, uncertainty, observed order or None).
 
@@ -58,12 +70,12 @@ def refined_limit(spacings, values):
     h, s = np.asarray(spacings, float)[order], np.asarray(values, float)[order]
     if len(h) < 2:
         raise ValueError("a limit needs at least two lattices")
-    second_order = s[-1] + (s[-1] - s[-2]) / ((h[-2] / h[-1]) ** 2 - 1)
+    second_order = two_lattice_limit(h, s, 2)
     correction = abs(second_order - s[-1])
     p = observed_order(h[-3:], s[-3:]) if len(h) >= 3 else None
     if p is None:
         return float(second_order), float(correction), None
-    limit = s[-1] + (s[-1] - s[-2]) / ((h[-2] / h[-1]) ** p - 1)
+    limit = two_lattice_limit(h, s, p)
     uncertainty = max(abs(limit - second_order), 0.1 * abs(limit - s[-1]))
     return float(limit), float(uncertainty), float(p)
 
