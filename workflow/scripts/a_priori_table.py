@@ -5,9 +5,9 @@ rules that need the passage: D_perp against 2 s, and the centre at the gap line 
 The summary gives for each rule how often it is right and the fluid work behind it.
 """
 
-import argparse
 from pathlib import Path
 
+from study.arguments import required_arguments
 from study.claims import load_claims
 from study.plan import read_json
 from study.tables import read_table, write_table
@@ -99,10 +99,9 @@ def summary_rows(rows, work):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--passages", "--separation", "--stretching", "--claims", "--runs", "--output", "--summary"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(
+        __doc__, "passages", "separation", "stretching", "claims", "runs", "output", "summary"
+    )
     law = load_claims(arguments.claims)["separation-law"]["value"]
     separation = read_table(arguments.separation)
     given = (separation, SeparationCurve(separation), TweezerCurve(read_table(arguments.stretching)), law)

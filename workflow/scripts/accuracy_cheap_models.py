@@ -1,10 +1,10 @@
 """Separation distance, flow resistance and cost of the models that need no lattice Boltzmann run, at the
 points of the flow study. Seconds are the smallest of three evaluations on one core."""
 
-import argparse
 import time
 
 from study import cheap_models as models
+from study.arguments import required_arguments
 from study.plan import read_json
 from study.tables import write_table
 
@@ -71,10 +71,7 @@ def rows_of(point, array, cell_counts):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--plan", required=True)
-    parser.add_argument("--output", required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(__doc__, "plan", "output")
     plan = read_json(arguments.plan)
     cases = {run["labels"]["point"]: run["case"] for run in plan["runs"] if run["group"] == "accuracy-flow"}
     counts = plan["accuracy"]["depth_averaged_cells"]

@@ -1,18 +1,14 @@
 """Cost of the class against its error rate: rules on the first pillar lines, the proof by the return map,
 and the rule that needs no passage, over the passages of some sweeps. Columns as in accuracy_cost.csv."""
 
-import argparse
-
 from study import accuracy, class_rules
+from study.arguments import required_arguments
 from study.plan import read_json
 from study.tables import read_table, write_table
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--passages", "--crossings", "--summary", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(__doc__, "plan", "passages", "crossings", "summary", "output")
     settings = read_json(arguments.plan)["accuracy"]
     tables = [read_table(path) for path in (arguments.passages, arguments.crossings, arguments.summary)]
     sweeps, weight = settings["class_sweeps"], settings["membrane_update_weight"]

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import numpy as np
 from study.accuracy import ALL, GOOD, judged_points
+from study.arguments import table_arguments
 from study.fits import first_order_limit
 from study.plan import read_json
 from study.runs import load_runs
-from study.tables import read_table, table_arguments
+from study.tables import read_table
 
 GOALS = [0.1, 0.03, 0.01, 0.003]
 

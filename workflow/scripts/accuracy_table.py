@@ -4,10 +4,9 @@ Error: largest deviation from the reference, the limit of another scheme. Work u
 updates at their weight, and for the models without a lattice their operations over those of a node update.
 Seconds: by the pipeline's benchmark of each run, other runs at its side."""
 
-import argparse
-
 import numpy as np
 from study import accuracy
+from study.arguments import table_arguments
 from study.plan import read_json
 from study.runs import load_runs
 from study.tables import read_table, write_table
@@ -44,10 +43,7 @@ def rows_of_study(name, definition, rows, cheap=()):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--runs", "--cheap", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = table_arguments(__doc__, "cheap")
     settings = read_json(arguments.plan)["accuracy"]
     rows = []
     for name, definition in settings["studies"].items():

@@ -1,11 +1,10 @@
 """Animation of one passage: the cell's outline in the mid plane on its way through the array, with the path
 of its centre. The time between pictures follows the simulation: a cell that lingers is seen to linger."""
 
-import argparse
-
 import numpy as np
 from PIL import Image
 from study import style
+from study.arguments import required_arguments
 from study.plan import read_json
 from study.tables import read_table
 
@@ -58,10 +57,7 @@ def frames(figure, axes, table):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--outlines", "--name", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(__doc__, "plan", "outlines", "name", "output")
     plan, table = read_json(arguments.plan), read_table(arguments.outlines)
     capillary = plan["figures"]["animations"][arguments.name]
     table = table[table.capillary_number == capillary]

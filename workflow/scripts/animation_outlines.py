@@ -1,8 +1,7 @@
 """Extracts the moving outlines of the animations: the cell in the mid plane at every snapshot of the sweep
 `animation`."""
 
-import argparse
-
+from study.arguments import table_arguments
 from study.plan import read_json
 from study.runs import load_runs
 from study.surface import outline
@@ -24,10 +23,7 @@ def snapshots(run, rows_shown):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--runs", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = table_arguments(__doc__)
     plan, rows = read_json(arguments.plan), []
     for run in load_runs(arguments.plan, arguments.runs, "passages"):
         if run.labels["sweep"] != "animation":

@@ -1,9 +1,8 @@
 """Extracts the lines of Figure 1: streams of equal flux, a small particle on a streamline below the
 separation streamline, and the way and outlines of a displaced cell."""
 
-import argparse
-
 import numpy as np
+from study.arguments import table_arguments
 from study.midplane import MidPlaneFlow
 from study.plan import read_json
 from study.runs import load_runs
@@ -47,10 +46,7 @@ def cell_lines(run, wanted):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--runs", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = table_arguments(__doc__)
     wanted, lines = read_json(arguments.plan)["figures"]["array"], []
     for run in load_runs(arguments.plan, arguments.runs, "streamlines"):
         if run.labels["variant"] == wanted["variant"] and run.row_shift_um == wanted["row_shift_um"]:

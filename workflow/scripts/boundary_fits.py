@@ -1,10 +1,9 @@
 """Fits d = a + b exp(-c Ca) to the boundary of every series, of its limit and of the paper's own statements,
 and joins them to the fits of the separation law."""
 
-import argparse
-
 import numpy as np
 import pandas as pd
+from study.arguments import required_arguments
 from study.boundary import PARAMETERS, fit_boundary
 from study.claims import load_claims
 from study.tables import read_table, write_table
@@ -31,10 +30,7 @@ def statements(claim):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--table", "--separation", "--claims", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(__doc__, "table", "separation", "claims", "output")
     claim = load_claims(arguments.claims)["phase-boundary"]
     rows = read_table(arguments.separation).to_dict("records")
     for series, group in read_table(arguments.table).groupby("series"):

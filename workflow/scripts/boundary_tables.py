@@ -2,9 +2,9 @@
 limit at vanishing lattice spacing, confirmations of its ends, and the mirror question, the critical row
 shift."""
 
-import argparse
 from pathlib import Path
 
+from study.arguments import required_arguments
 from study.boundary import extrapolated_rows
 from study.brackets import point_at
 from study.plan import read_json
@@ -80,10 +80,9 @@ def point_rows(definition, state):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--brackets", "--boundary", "--points", "--confirmation", "--row-shifts"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(
+        __doc__, "plan", "brackets", "boundary", "points", "confirmation", "row-shifts"
+    )
     plan = read_json(arguments.plan)
     boundary, row_shifts, points, confirmation = [], [], [], []
     for name, definition in plan["brackets"].items():

@@ -1,8 +1,7 @@
 """Extracts the cell shapes of Figure 3 (undeformed, at a pillar line) and Figure 5 (relaxed, stretched)."""
 
-import argparse
-
 import numpy as np
+from study.arguments import required_arguments
 from study.plan import read_json
 from study.runs import load_runs
 from study.tables import write_table
@@ -36,10 +35,7 @@ def vertex_rows(shapes):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--runs", "--fig03", "--fig05", "--faces"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(__doc__, "plan", "runs", "fig03", "fig05", "faces")
     figures = read_json(arguments.plan)["figures"]
     wanted = figures["deformed_cell"]
     passage = next(

@@ -3,8 +3,9 @@ one line against that at the next, and whether the cell kept its lane (bump 1) o
 
 from itertools import pairwise
 
+from study.arguments import table_arguments
 from study.runs import passage_runs
-from study.tables import table_arguments, write_table
+from study.tables import write_table
 
 LABELS = ["sweep", "dx_um", "lateral_flow", "row_shift_um", "capillary_number", "class"]
 MEASURED = ["row", "step", "y_um", "gap_position_um", "lane", "bump", "d_perp_um", "d_perp_at_centre_um"]

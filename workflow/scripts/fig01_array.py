@@ -1,9 +1,8 @@
 """Figure 1: the array with streams of equal flux; a small particle zigzags with the flow, a large one is
 displaced."""
 
-import argparse
-
 from study import style
+from study.arguments import required_arguments
 from study.plan import read_json
 from study.tables import read_table
 
@@ -31,10 +30,7 @@ def draw(axes, table, wanted):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--lines", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(__doc__, "plan", "lines", "output")
     plan = read_json(arguments.plan)
     figure = style.new_figure(style.PAGE, 3.2)
     draw(figure.add_subplot(), read_table(arguments.lines), plan["figures"]["array"])

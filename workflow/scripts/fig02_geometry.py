@@ -1,11 +1,11 @@
 """Figure 2: the geometry. Four shifted unit cells with R, lambda, d, G, alpha and the gap line."""
 
-import argparse
 import math
 
 import matplotlib.pyplot as plt
 import numpy as np
 from study import style
+from study.arguments import figure_arguments
 from study.plan import read_json
 from study.tables import write_table
 
@@ -51,11 +51,7 @@ def draw(axes):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--plan", required=True)
-    parser.add_argument("--csv", required=True)
-    parser.add_argument("--output", required=True)
-    arguments = parser.parse_args()
+    arguments = figure_arguments(__doc__)
     values = {
         "R": (RADIUS, "um"),
         "lambda": (PITCH, "um"),

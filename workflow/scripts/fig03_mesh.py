@@ -1,20 +1,14 @@
 """Figure 3: the mesh of the cell, undeformed and deformed at a pillar line."""
 
-import argparse
-
 from study import style
+from study.arguments import required_arguments
 from study.plan import read_json
 from study.surface import draw_cell
 from study.tables import read_table
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--plan", required=True)
-    parser.add_argument("--shapes", required=True)
-    parser.add_argument("--faces", required=True)
-    parser.add_argument("--output", required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(__doc__, "plan", "shapes", "faces", "output")
     plan = read_json(arguments.plan)
     shapes, faces = read_table(arguments.shapes), read_table(arguments.faces)
     corners = faces[faces.figure == "fig03"][["a", "b", "c"]].to_numpy()

@@ -1,10 +1,9 @@
 """Figure 4: streamlines and speed in the mid plane of one unit cell without a blood cell."""
 
-import argparse
-
 import matplotlib.pyplot as plt
 import numpy as np
 from study import style
+from study.arguments import required_arguments
 from study.plan import read_json
 from study.tables import read_table
 
@@ -60,10 +59,7 @@ def draw(axes, field, separatrices, shift, scale):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--fields", "--separatrices", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(__doc__, "plan", "fields", "separatrices", "output")
     fields, separatrices = read_table(arguments.fields), read_table(arguments.separatrices)
     scale = np.hypot(fields.velocity_x_lu, fields.velocity_y_lu).max()
     figure = style.new_figure(style.PAGE, 3.5)

@@ -1,9 +1,8 @@
 """Figure 5: the cell in the optical tweezer, relaxed and stretched, and its diameters against the force."""
 
-import argparse
-
 import pandas as pd
 from study import style
+from study.arguments import figure_arguments
 from study.plan import read_json
 from study.surface import draw_cell
 from study.tables import read_table, write_table
@@ -49,10 +48,7 @@ def draw_diameters(axes, static, coupled, experiment):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--table", "--experiment", "--shapes", "--faces", "--csv", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = figure_arguments(__doc__, "table", "experiment", "shapes", "faces")
     plan = read_json(arguments.plan)
     table, experiment = read_table(arguments.table), pd.read_csv(arguments.experiment, comment="#")
     shown = table.skalak_denominator.isin(plan["figures"]["tweezer_denominators"])

@@ -1,10 +1,9 @@
 """Companion of Figure 6: class and lateral extent D_perp of every cell of the whole sweep, in colours."""
 
-import argparse
-
 import matplotlib.pyplot as plt
 from matplotlib.colors import to_rgba
 from study import style
+from study.arguments import figure_arguments
 from study.plan import read_json
 from study.tables import read_table, write_table
 
@@ -45,10 +44,7 @@ def draw(axes, table):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--table", "--csv", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = figure_arguments(__doc__, "table")
     plan, table = read_json(arguments.plan), read_table(arguments.table)
     chosen = table[table.sweep == plan["figures"]["trajectory_sweep"]]
     styles = dict.fromkeys(COLUMNS[3:], ".3f") | {"row_shift_um": ".1f"}

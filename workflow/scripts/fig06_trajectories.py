@@ -1,8 +1,7 @@
 """Figure 6: trajectories of the cell's centre, a panel for each row shift, a line for each Ca."""
 
-import argparse
-
 from study import style
+from study.arguments import required_arguments
 from study.plan import read_json
 from study.tables import read_table
 
@@ -31,10 +30,7 @@ def draw(axes, panel, shift, number, x_range):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--trajectories", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(__doc__, "plan", "trajectories", "output")
     table = read_table(arguments.trajectories)
     shifts = sorted(table.row_shift_um.unique())
     panels = [table[table.row_shift_um == shift] for shift in shifts]

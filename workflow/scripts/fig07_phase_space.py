@@ -1,10 +1,9 @@
 """Figure 7: the phase space of capillary number and row shift. Cells of the sweep, brackets of the boundary
 with the fitted exponentials and the paper's Eq. (5); beside it the boundary with blocked lateral flow."""
 
-import argparse
-
 import numpy as np
 from study import style
+from study.arguments import figure_arguments
 from study.boundary import PARAMETERS, bootstrap_boundary, law
 from study.claims import load_claims
 from study.plan import read_json
@@ -150,10 +149,7 @@ def draw(axes, table):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--passages", "--boundary", "--fits", "--claims", "--csv", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = figure_arguments(__doc__, "passages", "boundary", "fits", "claims")
     plan = read_json(arguments.plan)
     rows = collect(arguments, plan["figures"]["trajectory_sweep"])
     styles = dict.fromkeys(["row_shift_um", "d_um", "d_low_um", "d_high_um"], ".3f")

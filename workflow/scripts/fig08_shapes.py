@@ -4,12 +4,11 @@ Each cell is shown in three dimensions, from above beside its pillar, and cut by
 with D_perp and the critical diameter 2s of the flow.
 """
 
-import argparse
-
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection
 from study import style
+from study.arguments import required_arguments
 from study.plan import read_json
 from study.surface import draw_cell, draw_from_above, section
 from study.tables import read_table
@@ -86,10 +85,9 @@ def draw_cells(figure, grid, cells, shapes, faces, two_s):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--shapes", "--outlines", "--faces", "--numbers", "--separation", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(
+        __doc__, "plan", "shapes", "outlines", "faces", "numbers", "separation", "output"
+    )
     shapes, lines, numbers, separation = (
         read_table(path)
         for path in (arguments.shapes, arguments.outlines, arguments.numbers, arguments.separation)

@@ -3,8 +3,9 @@ factor on them that separates displaced from zigzag best, computed from the cell
 
 import numpy as np
 from study import style
+from study.arguments import figure_arguments
 from study.claims import load_claims
-from study.extent import DECIDED, draw_classes, figure_arguments, law_of, note_missing, of_sweep
+from study.extent import DECIDED, draw_classes, law_of, note_missing, of_sweep
 from study.fits import power_law
 from study.plan import read_json
 from study.tables import read_table, write_table

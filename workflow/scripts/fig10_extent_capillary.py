@@ -3,8 +3,9 @@ all row shifts, with the transverse diameter of the optical tweezer at Ca_tw = (
 
 import numpy as np
 from study import style
+from study.arguments import figure_arguments
 from study.claims import load_claims
-from study.extent import GREY, capillary_axis, draw_classes, figure_arguments, note_missing, of_sweep
+from study.extent import GREY, capillary_axis, draw_classes, note_missing, of_sweep
 from study.plan import read_json
 from study.tables import read_table, write_table
 from study.tweezer import TweezerCurve

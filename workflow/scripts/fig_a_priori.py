@@ -3,7 +3,8 @@ needs no passage, and centre at the gap line against s, which does. Filled: righ
 rule or the simulation gives no class."""
 
 from study import style
-from study.extent import DECIDED, GREY, MARKERS, capillary_axis, figure_arguments, of_sweep, panel_note
+from study.arguments import figure_arguments
+from study.extent import DECIDED, GREY, MARKERS, capillary_axis, of_sweep, panel_note
 from study.plan import read_json
 from study.tables import read_table, write_table
 

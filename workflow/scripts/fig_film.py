@@ -2,7 +2,8 @@
 a line for every row shift, the class as marker."""
 
 from study import style
-from study.extent import GREY, MARKERS, capillary_axis, figure_arguments, note_missing, of_sweep, shade
+from study.arguments import figure_arguments
+from study.extent import GREY, MARKERS, capillary_axis, note_missing, of_sweep, shade
 from study.plan import read_json
 from study.tables import read_table, write_table
 

@@ -6,7 +6,8 @@ import math
 
 from matplotlib.ticker import MultipleLocator
 from study import style
-from study.extent import GREY, figure_arguments, of_sweep, shade
+from study.arguments import figure_arguments
+from study.extent import GREY, of_sweep, shade
 from study.plan import read_json
 from study.tables import read_table, write_table
 

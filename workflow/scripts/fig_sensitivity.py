@@ -5,7 +5,8 @@ whiskers span the bracket of a critical capillary number, that of the default se
 
 import numpy as np
 from study import style
-from study.extent import figure_arguments, panel_note
+from study.arguments import figure_arguments
+from study.extent import panel_note
 from study.plan import read_json
 from study.tables import read_table, write_table
 

@@ -1,8 +1,7 @@
 """Extracts the mid-plane velocity and the separatrices that Figure 4 shows."""
 
-import argparse
-
 import numpy as np
+from study.arguments import required_arguments
 from study.plan import read_json
 from study.runs import load_runs
 from study.tables import write_table
@@ -31,10 +30,7 @@ def separatrix_rows(run):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--runs", "--fields", "--separatrices"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(__doc__, "plan", "runs", "fields", "separatrices")
     figures = read_json(arguments.plan)["figures"]
     runs = [
         run

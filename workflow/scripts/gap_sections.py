@@ -1,8 +1,7 @@
 """Extracts the cells of Figure 8 at the crossing that defines D_perp: the membrane, its outline in the mid
 plane, and their place in the array."""
 
-import argparse
-
+from study.arguments import required_arguments
 from study.plan import read_json
 from study.runs import load_runs
 from study.surface import outline
@@ -30,10 +29,7 @@ def crossing(run):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--runs", "--shapes", "--outlines", "--faces", "--numbers"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(__doc__, "plan", "runs", "shapes", "outlines", "faces", "numbers")
     wanted = read_json(arguments.plan)["figures"]["gap_cells"]
     shapes, lines, numbers, triangles = [], [], [], []
     for run in load_runs(arguments.plan, arguments.runs, "passages"):

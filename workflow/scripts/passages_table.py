@@ -3,8 +3,9 @@
 The runs that narrowed the boundary stand in the sweeps boundary/<series>.
 """
 
+from study.arguments import table_arguments
 from study.runs import passage_runs
-from study.tables import table_arguments, write_table
+from study.tables import write_table
 
 FROM_SUMMARY = [
     "d_perp_um",

@@ -1,9 +1,8 @@
 """Speed of the fluid against the bare collision, and what a whole step with a cell is made of."""
 
-import argparse
-
 import numpy as np
 from study import style
+from study.arguments import figure_arguments
 from study.plan import read_json
 from study.tables import read_table
 
@@ -78,10 +77,7 @@ def draw_step(axes, table):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--table", "--csv", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = figure_arguments(__doc__, "table")
     table = read_table(arguments.table)
     table.to_csv(arguments.csv, index=False, lineterminator="\n")
     figure = style.new_figure(style.PAGE, 2.8)

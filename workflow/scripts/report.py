@@ -1,6 +1,5 @@
 """The report of a tier: one HTML file with verdicts, phase space, figures, tables and origin of the runs."""
 
-import argparse
 import tomllib
 from collections import Counter
 from pathlib import Path
@@ -8,6 +7,7 @@ from pathlib import Path
 import pandas as pd
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from study import report
+from study.arguments import required_arguments
 from study.claims import load_claims
 from study.plan import read_json
 from study.tables import read_table
@@ -65,12 +65,8 @@ def context(arguments):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("plan", "tables", "figures", "verdicts", "claims", "trajectories", "provenance", "captions"):
-        parser.add_argument(f"--{name}", required=True)
-    parser.add_argument("--template", required=True)
-    parser.add_argument("--output", required=True)
-    arguments = parser.parse_args()
+    names = "plan tables figures verdicts claims trajectories provenance captions template output"
+    arguments = required_arguments(__doc__, *names.split())
     template = Path(arguments.template)
     environment = Environment(
         loader=FileSystemLoader(template.parent),

@@ -3,10 +3,11 @@ number, and s. Choices of which crossing and which instant define D_perp are rea
 
 import math
 
+from study.arguments import table_arguments
 from study.plan import read_json
 from study.points import choices
 from study.runs import load_runs
-from study.tables import read_table, table_arguments, write_table
+from study.tables import read_table, write_table
 
 COLUMNS = [
     "choice",

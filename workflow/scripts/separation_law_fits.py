@@ -1,8 +1,7 @@
 """Fits the separation law 2 s = A epsilon^B to every variant of the flow and to the paper's printed table."""
 
-import argparse
-
 import numpy as np
+from study.arguments import required_arguments
 from study.claims import load_claims
 from study.fits import bootstrap_power_law, fit_power_law
 from study.tables import read_table, write_table
@@ -32,11 +31,7 @@ def fitted(name, epsilon, separation_um, paper):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--table", required=True)
-    parser.add_argument("--claims", required=True)
-    parser.add_argument("--output", required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(__doc__, "table", "claims", "output")
     claims = load_claims(arguments.claims)
     law, printed = claims["separation-law"]["value"], claims["table-1"]["value"]
     table = read_table(arguments.table)

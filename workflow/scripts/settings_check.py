@@ -1,8 +1,9 @@
 """Do the fast settings of the study change a result? Class and D_perp of the same passages with them and with
 conservative ones (smaller force, a membrane update in every step, a farther start, a stricter stop)."""
 
+from study.arguments import table_arguments
 from study.runs import load_runs
-from study.tables import table_arguments, write_table
+from study.tables import write_table
 
 POINT = ["row_shift_um", "capillary_number"]
 MEASURED = ["class", "d_perp_um", "centre_um", "steps", "run"]

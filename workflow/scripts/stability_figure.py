@@ -1,9 +1,8 @@
 """Stability maps: works, inaccurate or fails in planes of two parameters, and the limit stated beforehand."""
 
-import argparse
-
 import numpy as np
 from matplotlib.colors import ListedColormap
+from study.arguments import figure_arguments
 from study.plan import read_json
 from study.stability import STATUSES
 from study.style import BLACK, BLUE, PAGE, SKY, VERMILION, YELLOW, new_figure, plt, save
@@ -93,10 +92,7 @@ def draw(axes, frame):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("plan", "table", "csv", "output"):
-        parser.add_argument(f"--{name}", required=True)
-    arguments = parser.parse_args()
+    arguments = figure_arguments(__doc__, "table")
     table = read_table(arguments.table)
     table.to_csv(arguments.csv, index=False, lineterminator="\n")
     maps = list(dict.fromkeys(table["map"]))

@@ -1,7 +1,6 @@
 """Drift over a long run: extent, volume, area, smallest face and film at every pillar line."""
 
-import argparse
-
+from study.arguments import figure_arguments
 from study.plan import read_json
 from study.style import PAGE, SERIES, VERMILION, new_figure, save
 from study.tables import read_table
@@ -17,10 +16,7 @@ PANELS = [
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("plan", "table", "csv", "output"):
-        parser.add_argument(f"--{name}", required=True)
-    arguments = parser.parse_args()
+    arguments = figure_arguments(__doc__, "table")
     table = read_table(arguments.table)
     table.to_csv(arguments.csv, index=False, lineterminator="\n")
     figure = new_figure(PAGE, 3.9)

@@ -1,8 +1,9 @@
 """Drift over a long run: one row per pillar line with extent, volume, area, smallest face and film."""
 
 import numpy as np
+from study.arguments import table_arguments
 from study.runs import load_runs
-from study.tables import table_arguments, write_table
+from study.tables import write_table
 
 COLUMNS = [
     "name",

@@ -6,9 +6,10 @@
 
 from itertools import groupby
 
+from study.arguments import table_arguments
 from study.runs import load_runs
 from study.stability import crossing, judge
-from study.tables import table_arguments, write_table
+from study.tables import write_table
 
 COLUMNS = [
     "map",

@@ -3,9 +3,10 @@ Unlike all other tables this one differs from machine to machine."""
 
 import statistics
 
+from study.arguments import table_arguments
 from study.plan import read_json
 from study.runs import bracket_runs, load_runs
-from study.tables import table_arguments, write_table
+from study.tables import write_table
 
 COLUMNS = ["stage", "part", "dx_um", "runs", "total_s", "median_s", "longest_s"]
 STYLES = {"dx_um": ".4f", "total_s": ".1f", "median_s": ".1f", "longest_s": ".1f"}

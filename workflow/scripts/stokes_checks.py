@@ -8,8 +8,9 @@ be that at (x, y); inertia breaks this symmetry. Differences are in units of the
 from collections import defaultdict
 
 import numpy as np
+from study.arguments import table_arguments
 from study.runs import load_runs
-from study.tables import table_arguments, write_table
+from study.tables import write_table
 
 COLUMNS = [
     "row_shift_um",

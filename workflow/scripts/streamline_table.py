@@ -3,10 +3,11 @@ vanishing lattice spacing (study.fits.refined_limit says how)."""
 
 from collections import defaultdict
 
+from study.arguments import table_arguments
 from study.fits import refined_limit
 from study.plan import read_json
 from study.runs import load_runs
-from study.tables import table_arguments, write_table
+from study.tables import write_table
 
 LIMITS = {
     "s_um": "separation_um",

@@ -2,9 +2,8 @@
 diameter separately, and the Skalak denominator that fits best (parabola in its logarithm; empty if it is at
 the end of the examined range). The sets are never mixed; points without an error bar are left out."""
 
-import argparse
-
 import pandas as pd
+from study.arguments import required_arguments
 from study.fits import chi_squared, parabola_minimum
 from study.tables import read_table, write_table
 
@@ -48,11 +47,7 @@ def rows_of(curves, experiment, set_name, diameter, max_force):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--table", required=True)
-    parser.add_argument("--experiment", required=True)
-    parser.add_argument("--output", required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(__doc__, "table", "experiment", "output")
     table = read_table(arguments.table)
     curves = table[(table.method == "static") & (table.status == "converged")]
     experiment = pd.read_csv(arguments.experiment, comment="#")

@@ -1,8 +1,9 @@
 """Diameters of the stretched cell against the force, for every series and Skalak denominator."""
 
 import numpy as np
+from study.arguments import table_arguments
 from study.runs import load_runs
-from study.tables import table_arguments, write_table
+from study.tables import write_table
 
 COLUMNS = [
     "method",

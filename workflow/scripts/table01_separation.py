@@ -1,9 +1,8 @@
 """Table 1 as a picture: separation distance against the row shift, printed and computed, with power laws."""
 
-import argparse
-
 import numpy as np
 from study import style
+from study.arguments import figure_arguments
 from study.claims import load_claims
 from study.fits import power_law
 from study.plan import read_json
@@ -82,10 +81,7 @@ def draw_differences(axes, rows, variants):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--table", "--fits", "--claims", "--csv", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = figure_arguments(__doc__, "table", "fits", "claims")
     plan, table, fits = read_json(arguments.plan), read_table(arguments.table), read_table(arguments.fits)
     printed = {float(d): s for d, s in load_claims(arguments.claims)["table-1"]["value"].items()}
     variants = plan["figures"]["law_variants"]

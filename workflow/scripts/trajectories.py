@@ -1,8 +1,9 @@
 """Extracts the trajectories of Figure 6: centre of the cell, thinned out, up to the last row shown."""
 
+from study.arguments import table_arguments
 from study.plan import read_json
 from study.runs import load_runs
-from study.tables import table_arguments, write_table
+from study.tables import write_table
 
 COLUMNS = ["row_shift_um", "capillary_number", "class", "step", "x_um", "y_um"]
 SPACING_UM = 0.5  # smallest distance along x between two points

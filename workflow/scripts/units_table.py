@@ -4,9 +4,9 @@ l = sqrt(G H) and with l = H, beside the values that the paper prints; the paper
 The velocity is p' / resistance with the mean resistance of the variants `paper` and `refined`.
 """
 
-import argparse
 import math
 
+from study.arguments import required_arguments
 from study.claims import load_claims
 from study.tables import read_table, write_table
 
@@ -39,11 +39,7 @@ def computed(source, capillary_number, length_m, resistance, printed_gradient):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--table", required=True)
-    parser.add_argument("--claims", required=True)
-    parser.add_argument("--output", required=True)
-    arguments = parser.parse_args()
+    arguments = required_arguments(__doc__, "table", "claims", "output")
     printed = load_claims(arguments.claims)["unit-conversion"]["value"]
     table = read_table(arguments.table)
     lengths = {"l = sqrt(G H)": math.sqrt(GAP_M * DEPTH_M), "l = H": DEPTH_M}

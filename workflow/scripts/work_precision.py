@@ -8,12 +8,11 @@ the references, below which nothing is told apart. Beside it stand the settings 
 number of others of the same cost and error.
 """
 
-import argparse
-
 import numpy as np
 from matplotlib.ticker import LogLocator, NullFormatter
 from study import style
 from study.accuracy import ALL, judged_points
+from study.arguments import figure_arguments
 from study.frontier import on_frontier, step_line
 from study.plan import read_json
 from study.tables import read_table, write_table
@@ -112,10 +111,7 @@ def panels_of(rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("--plan", "--table", "--study", "--csv", "--output"):
-        parser.add_argument(name, required=True)
-    arguments = parser.parse_args()
+    arguments = figure_arguments(__doc__, "table", "study")
     plan, table = read_json(arguments.plan), read_table(arguments.table)
     table["setting"] = table.setting.astype(object).where(table.setting.notna(), "").astype(str)
     rows = judged_points(table[table.study == arguments.study])

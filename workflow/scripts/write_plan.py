@@ -2,17 +2,13 @@
 brackets.
 """
 
-import argparse
 import json
 from pathlib import Path
 
+from study.arguments import required_arguments
 from study.plan import load_plan
 
-parser = argparse.ArgumentParser(description=__doc__)
-parser.add_argument("--study", required=True)
-parser.add_argument("--tier", required=True)
-parser.add_argument("--output", required=True)
-arguments = parser.parse_args()
+arguments = required_arguments(__doc__, "study", "tier", "output")
 
 
 def lines(name, value):

@@ -1,6 +1,4 @@
-"""What the figures of the lateral extent share: command line, rows of a sweep, colours, notes."""
-
-import argparse
+"""What the figures of the lateral extent share: rows of a sweep, colours, notes."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -10,14 +8,6 @@ from study import style
 MARKERS = {"displaced": "o", "zigzag": "^", "undecided": "s", "diverged": "x", "interrupted": "+"}
 DECIDED = ["displaced", "zigzag"]
 GREY = "#777777"
-
-
-def figure_arguments(description, *tables):
-    """The command line of a figure: the plan, these tables and files, and the outputs."""
-    parser = argparse.ArgumentParser(description=description)
-    for name in ("plan", *tables, "csv", "output"):
-        parser.add_argument(f"--{name}", required=True)
-    return parser.parse_args()
 
 
 def of_sweep(table, plan):

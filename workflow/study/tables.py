@@ -1,17 +1,8 @@
 """Tables as CSV: sorted rows, fixed number formats, units in the header, so that `diff` compares studies."""
 
-import argparse
 from pathlib import Path
 
 import pandas as pd
-
-
-def table_arguments(description, *others):
-    """The command line of a program that turns the runs of a plan into one table; `others`: further files."""
-    parser = argparse.ArgumentParser(description=description)
-    for name in ("plan", "runs", "output", *others):
-        parser.add_argument(f"--{name}", required=True)
-    return parser.parse_args()
 
 
 def formatted(value, style):
