@@ -1,4 +1,5 @@
-"""The report: one HTML file without outside parts, for reading the results in a browser."""
+"""The report: one HTML file without outside parts, for reading the results in a browser; and, on request,
+the numbers of README.md."""
 
 REPORT_FILES = [f"{RESULTS}/report.html"]
 REPORT_GROUPS = ["streamlines", "stokes", "stretching", "passages", "sensitivity"]  # runs of the study itself
@@ -54,4 +55,23 @@ rule report:
             --verdicts {input.verdicts} --claims {input.claims} --trajectories {input.trajectories} \
             --provenance {input.provenance} --captions {input.captions} --template {input.template} \
             --output {output} 2> {log}
+        """
+
+
+# On request: the text is the project's own, and only its numbers come from the results.
+rule readme:
+    input:
+        tables=expand("{folder}/{name}.csv", folder=TABLES, name=["stage_times", "phase_boundary"]),
+        verdicts=rules.claims.output.csv,
+        claims=CLAIMS,
+        script=f"{SCRIPTS}/readme_numbers.py",
+        package=PACKAGE,
+    log:
+        f"{LOGS}/readme.log",
+    params:
+        tables=TABLES,
+    shell:
+        """
+        python {input.script} --readme README.md --tables {params.tables} --verdicts {input.verdicts} \
+            --claims {input.claims} 2> {log}
         """

@@ -66,6 +66,13 @@ def law(parameters, capillary):
     return offset + amplitude * np.exp(-rate * capillary)
 
 
+def critical_capillary_number(row_shift_um, parameters):
+    """Capillary number at which the law passes through a row shift (um); None where it does not."""
+    offset, amplitude, rate = parameters
+    part = (row_shift_um - offset) / amplitude
+    return -math.log(part) / rate if 0 < part <= 1 else None
+
+
 def _negative_log_likelihood(vector, shifts, low, high):
     """-ln L of the brackets.
 

@@ -1,0 +1,78 @@
+"""The numbers of README.md: made from the results, never typed."""
+
+import subprocess
+
+import pandas as pd
+import pytest
+from conftest import ROOT
+from study import readme
+from study.boundary import critical_capillary_number
+from study.claims import load_claims
+from study.tables import read_table
+
+
+def committed(path, tmp_path):
+    """A copy of a file as it is committed: a user's own runs may have changed the results in this folder."""
+    shown = subprocess.run(["git", "show", f"HEAD:{path}"], cwd=ROOT, capture_output=True)
+    if shown.returncode != 0:
+        pytest.skip("not a clone")
+    copy = tmp_path / path.replace("/", "-")
+    copy.write_bytes(shown.stdout)
+    return copy
+
+
+def test_the_committed_numbers_are_those_of_the_committed_results(tmp_path):
+    def table(path):
+        return read_table(committed(path, tmp_path))
+
+    claim = load_claims(committed("params/claims.json", tmp_path))["phase-boundary"]
+    text = committed("README.md", tmp_path).read_text(encoding="utf-8")
+    for block in (
+        readme.times(table("results/tables/stage_times.csv")),
+        readme.boundary(table("results/tables/phase_boundary.csv"), claim),
+        readme.verdicts(table("results/claims.csv")),
+    ):
+        assert block in text, "make the numbers again: snakemake --cores 2 readme"
+
+
+def test_blocks_take_the_place_of_old_ones_and_nothing_else():
+    text = "a\n<!-- one -->\nold\nolder\n<!-- end -->\nb\n<!-- two -->\n\n<!-- end -->\n"
+    filled = readme.with_blocks(text, {"one": "1", "two": "2"})
+    assert filled == "a\n<!-- one -->\n1\n<!-- end -->\nb\n<!-- two -->\n2\n<!-- end -->\n"
+    assert readme.with_blocks(filled, {"one": "1", "two": "2"}) == filled
+    with pytest.raises(ValueError, match="three"):
+        readme.with_blocks(text, {"three": "3"})
+
+
+def test_times_leave_out_what_is_made_on_request():
+    rows = [
+        ("passages", 0.4, 3, 60.0, 30.0),
+        ("passages", 0.4, 1, 60.0, 60.0),
+        ("stability", 0.8, 5, 9.0, 2.0),
+    ]
+    table = pd.DataFrame(rows, columns=["stage", "dx_um", "runs", "total_s", "longest_s"])
+    lines = readme.times(table).splitlines()
+    assert lines[2:] == ["| passages | 0.4 | 4 | 60 | 2.0 |", "| **all** |  | 4 |  | **2** |"]
+
+
+def test_the_boundary_shows_open_brackets_and_the_printed_law():
+    claim = {"value": {"offset_um": 2.9, "amplitude_um": 5.4, "rate": 1.72}}
+    rows = [
+        (2.0, 2.4, None, "free", "lattice-0.4"),
+        (6.8, 0.452, 0.461, "free", "lattice-0.4"),
+        (6.8, 0.3, 0.33, "free", "lattice-0.2"),
+        (6.8, 0.195, 0.24, "free", "extrapolated"),
+        (6.8, 0.4, 0.5, "blocked", "blocked-lateral"),
+        (6.8, 0.4, 0.5, "free", "sensitivity/kernel/phi3"),
+    ]
+    columns = ["row_shift_um", "ca_displaced", "ca_zigzag", "lateral_flow", "series"]
+    lines = readme.boundary(pd.DataFrame(rows, columns=columns), claim).splitlines()
+    assert lines[0] == "| d / um | Ca at 0.4 um | Ca at 0.2 um | extrapolated | paper, Eq. (5) |"
+    assert lines[2] == "| 2.0 | above 2.4 |  |  |  |"
+    assert lines[3] == "| 6.8 | 0.452 - 0.461 | 0.3 - 0.33 | 0.195 - 0.24 | 0.19 |"
+
+
+def test_the_critical_capillary_number_inverts_the_law():
+    assert critical_capillary_number(2.9 + 5.4, (2.9, 5.4, 1.72)) == 0
+    assert critical_capillary_number(2.8, (2.9, 5.4, 1.72)) is None
+    assert critical_capillary_number(8.4, (2.9, 5.4, 1.72)) is None

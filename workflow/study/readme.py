@@ -1,0 +1,69 @@
+"""The numbers of README.md: Markdown tables made from the results, kept between marks in the text."""
+
+import math
+import re
+
+from study.boundary import PARAMETERS, critical_capillary_number
+
+#: Stages that are targets of their own and not part of the study, by how their names begin.
+ON_REQUEST = ("accuracy", "settings-check", "stability", "long-run")
+
+
+def with_blocks(text, blocks):
+    """The text with every block put between its marks `<!-- name -->` and `<!-- end -->`; an error if a block
+    has no place."""
+    for name, block in blocks.items():
+        pattern = rf"(<!-- {re.escape(name)} -->\n).*?(\n *<!-- end -->)"
+        text, count = re.subn(pattern, lambda m, block=block: m[1] + block + m[2], text, flags=re.DOTALL)
+        if count != 1:
+            raise ValueError(f"the text has {count} places for '{name}', one is needed: <!-- {name} -->")
+    return text
+
+
+def markdown_table(head, rows):
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join("| " + " | ".join(str(cell) for cell in line) + " |" for line in lines)
+
+
+def times(stages):
+    """Runs and core time of every stage of the study and their sum, from the table of stage times."""
+    stages = stages[~stages.stage.str.startswith(ON_REQUEST)]
+    sums = stages.groupby(["stage", "dx_um"], as_index=False).agg(
+        runs=("runs", "sum"), longest_s=("longest_s", "max"), total_s=("total_s", "sum")
+    )
+    rows = [
+        [row.stage, f"{row.dx_um:.3g}", row.runs, f"{row.longest_s:.0f}", f"{row.total_s / 60:.1f}"]
+        for row in sums.itertuples()
+    ]
+    total = ["**all**", "", sums.runs.sum(), "", f"**{sums.total_s.sum() / 60:.0f}**"]
+    return markdown_table(["stage", "dx / um", "runs", "longest / s", "together / core min"], [*rows, total])
+
+
+def interval(low, high, digits=3):
+    """Text of a bracket of the critical capillary number, open where an end is missing."""
+    low, high = (None if math.isnan(end) else f"{end:.{digits}g}" for end in (low, high))
+    if low and high:
+        return f"{low} - {high}"
+    return f"above {low}" if low else f"below {high}" if high else ""
+
+
+def boundary(table, claim):
+    """Critical capillary number on each lattice, in their limit and by the paper's Eq. (5), by row shift."""
+    free = table[(table.lateral_flow == "free") & ~table.series.str.startswith("sensitivity/")]
+    limits = [name for name in sorted(free.series.unique()) if name.startswith("extrapolated")]
+    lattices = [name for name in sorted(free.series.unique(), reverse=True) if name not in limits]
+    rows = []
+    for shift, group in free.groupby("row_shift_um"):
+        found = {row.series: interval(row.ca_displaced, row.ca_zigzag) for row in group.itertuples()}
+        printed = critical_capillary_number(shift, [claim["value"][name] for name in PARAMETERS])
+        texts = [found.get(name, "") for name in lattices + limits]
+        rows.append([shift, *texts, "" if printed is None else f"{printed:.2f}"])
+    heads = [f"Ca at {name.removeprefix('lattice-')} um" for name in lattices] + limits
+    return markdown_table(["d / um", *heads, "paper, Eq. (5)"], rows)
+
+
+def verdicts(table):
+    """How many claims came out and how many did not."""
+    count = table.verdict.value_counts()
+    words = [f"{count.get(name, 0)} {name.lower()}" for name in ("REPRODUCED", "NOT REPRODUCED", "NOT RUN")]
+    return f"**Claims: {', '.join(words)}.**"
