@@ -25,6 +25,7 @@ CoupledCell<Real>::CoupledCell(Lattice<Real>& lattice, Membrane& membrane, const
       velocities_(Eigen::MatrixX3d::Zero(positions_.rows(), 3)),
       forces_(Eigen::MatrixX3d::Zero(positions_.rows(), 3)),
       gradient_(Eigen::MatrixX3d::Zero(positions_.rows(), 3)),
+      load_(Eigen::MatrixX3d::Zero(positions_.rows(), 3)),
       near_solid_(static_cast<std::size_t>(positions_.rows()), 0) {
   // Both limits are those of one update.
   const double steps = model_.steps_per_update;
@@ -60,6 +61,7 @@ void CoupledCell<Real>::load_fluid() {
 template <class Real>
 void CoupledCell<Real>::move() {
   boundary_.interpolate(velocities_);
+  if (model_.kink_mobility > 0.0) correct_kink();
   boundary_.clear_force();
   if (model_.mobility > 0.0) {
     tangential_relaxation(membrane_, forces_, gradient_, model_.mobility, velocities_);
@@ -74,6 +76,15 @@ void CoupledCell<Real>::move() {
   failed_ = !(fastest < 1.0);
   max_speed_ = fastest;
   if (!failed_) positions_ += static_cast<double>(model_.steps_per_update) * velocities_;
+}
+
+template <class Real>
+void CoupledCell<Real>::correct_kink() {
+  boundary_.interpolate_force(load_);
+  for (Eigen::Index i = 0; i < load_.rows(); ++i) {
+    const Eigen::RowVector3d load = load_.row(i), normal = gradient_.row(i).normalized();
+    velocities_.row(i) += model_.kink_mobility * (load - load.dot(normal) * normal);
+  }
 }
 
 template <class Real>

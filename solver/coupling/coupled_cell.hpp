@@ -2,7 +2,8 @@
 /// One deformable cell in the fluid: membrane forces, spreading, fluid step, interpolation, motion.
 ///
 ///   F(x)    = sum_i f_i(X) delta(x - X_i)          spread the nodal forces
-///   dX_i/dt = sum_x u(x) delta(x - X_i) + v_i      move with the fluid; v_i cures sub-grid mesh modes
+///   dX_i/dt = sum_x u(x) delta(x - X_i) + v_i      move with the fluid; v_i cures sub-grid mesh modes and,
+///                                                  on request, what the kernel takes from u at the membrane
 ///   g . dX/dt = -(V - V0) / T                      volume held by projection (g = dV/dX), or by a penalty
 ///
 /// Explicit; one update of the cell for one or more fluid steps, during which the forces stay as they are.
@@ -24,6 +25,9 @@ struct CouplingModel {
   Kernel kernel = Kernel::phi4;
   double mobility =
       0.0;  ///< wanted for the sub-grid regularisation, velocity / force (see stable_mobility); 0: off
+  /// Tangential velocity that is given back for the spread force density at a node (see kink_share), dx^2 /
+  /// eta with the mean viscosity of both sides; 0: off.
+  double kink_mobility = 0.0;
   int steps_per_update = 1;  ///< fluid steps for one update of the membrane
   /// Distance (lattice spacings) by which the points of spreading and interpolation lie inside the membrane.
   /// A kernel makes a surface act as if it stood further out by a fixed share of a spacing, an error of first
@@ -79,6 +83,7 @@ class CoupledCell {
   void load_fluid();
   /// Moves the membrane with the fluid over the steps since the last update.
   void move();
+  void correct_kink();
   void add_repulsion();
   void project_volume();
 
@@ -92,6 +97,7 @@ class CoupledCell {
   Eigen::MatrixX3d positions_, velocities_, forces_;
   Eigen::MatrixX3d gradient_;  ///< of volume_
   Eigen::MatrixX3d points_;    ///< of the coupling
+  Eigen::MatrixX3d load_;      ///< spread force density at the nodes
   std::vector<std::uint8_t> near_solid_;
   double volume_ = 0.0;  ///< of the cell at positions_, before they move
   double film_ = 0.0, max_speed_ = 0.0;

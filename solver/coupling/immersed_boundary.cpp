@@ -220,8 +220,22 @@ void ImmersedBoundary<Real>::spread(const Eigen::MatrixX3d& f) {
 
 template <class Real>
 void ImmersedBoundary<Real>::interpolate(Eigen::MatrixX3d& v) {
+  extend(lattice_.velocity);
+  gather(lattice_.velocity, v);
+}
+
+template <class Real>
+void ImmersedBoundary<Real>::interpolate_force(Eigen::MatrixX3d& f) {
+  extend(lattice_.force);
+  gather(lattice_.force, f);
+  for_wrapped_rows([this](std::uint32_t behind, std::uint32_t) {  // spread() adds to the padding
+    for (auto& component : lattice_.force) std::fill_n(&component[behind], padding, Real(0));
+  });
+}
+
+template <class Real>
+void ImmersedBoundary<Real>::gather(const Field& field, Eigen::MatrixX3d& v) const {
   using Four = stdx::fixed_size_simd<Real, 4>;
-  extend_velocity();
   const auto width = static_cast<std::size_t>(width_);
 #pragma omp parallel for num_threads(lattice_.threads()) if (shared())
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
@@ -231,9 +245,9 @@ void ImmersedBoundary<Real>::interpolate(Eigen::MatrixX3d& v) {
       for (std::size_t k = 0; k < width; ++k) {
         const std::uint32_t at = s.plane[i] + s.layer[k];
         const Real w = s.wx[i] * s.wz[k];
-        ux += w * Four(lattice_.velocity[0].data() + at, stdx::element_aligned);
-        uy += w * Four(lattice_.velocity[1].data() + at, stdx::element_aligned);
-        uz += (w * s.sign[k]) * Four(lattice_.velocity[2].data() + at, stdx::element_aligned);
+        ux += w * Four(field[0].data() + at, stdx::element_aligned);
+        uy += w * Four(field[1].data() + at, stdx::element_aligned);
+        uz += (w * s.sign[k]) * Four(field[2].data() + at, stdx::element_aligned);
       }
     }
     const Four wy(s.wy.data(), stdx::element_aligned);
@@ -271,9 +285,9 @@ void ImmersedBoundary<Real>::fold_force() {
 }
 
 template <class Real>
-void ImmersedBoundary<Real>::extend_velocity() {
-  for_wrapped_rows([this](std::uint32_t behind, std::uint32_t front) {
-    for (auto& component : lattice_.velocity) {
+void ImmersedBoundary<Real>::extend(Field& field) {
+  for_wrapped_rows([&field](std::uint32_t behind, std::uint32_t front) {
+    for (auto& component : field) {
       for (std::uint32_t y = 0; y < padding; ++y) component[behind + y] = component[front + y];
     }
   });

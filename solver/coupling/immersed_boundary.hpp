@@ -2,6 +2,7 @@
 /// Immersed boundary (Peskin 2002): spreads nodal forces to the lattice and interpolates its velocity back.
 /// With the mirror plane one node of each mirror pair stands for both.
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -33,6 +34,9 @@ class ImmersedBoundary {
   void spread(const Eigen::MatrixX3d& f);
   /// v (nv x 3) = lattice.velocity at the nodes, zero inside solids.
   void interpolate(Eigen::MatrixX3d& v);
+  /// f (nv x 3) = lattice.force at the nodes, interpolated like a velocity: between spread() and
+  /// clear_force().
+  void interpolate_force(Eigen::MatrixX3d& f);
   /// Sets lattice.force back to zero where spread() has written.
   void clear_force();
 
@@ -58,7 +62,9 @@ class ImmersedBoundary {
   bool shared() const { return lattice_.threads() > 1 && nodes_.size() > 1000; }
   /// Rows continue periodically into their padding, so that a stencil never wraps within a row.
   void fold_force();
-  void extend_velocity();
+  using Field = std::array<std::vector<Real>, 3>;
+  void extend(Field& field);
+  void gather(const Field& field, Eigen::MatrixX3d& v) const;
   template <class Function>
   void for_wrapped_rows(Function&& row);
 

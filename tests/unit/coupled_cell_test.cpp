@@ -35,6 +35,7 @@ struct CellRun {
   static CouplingModel standard() {
     CouplingModel model;
     model.mobility = 0.6;
+    model.kink_mobility = kink_share<Phi4>() / 0.5;  // eta = 1/6 outside, 5/6 inside
     model.pillar_repulsion = model.wall_repulsion = {5e-3, 1.0};
     model.tau_outside = 1.0;
     model.tau_inside = 3.0;

@@ -71,6 +71,29 @@ TEST(ImmersedBoundary, TotalForceIsKeptAcrossTheBorders) {
   }
 }
 
+/// sum_i f_i . F_i = sum_x |F(x)|^2 for the spread load F and its value F_i at the nodes; and the padding
+/// behind the rows is left as it was, so that the next load is not changed.
+TEST(ImmersedBoundary, TheLoadAtTheNodesIsTheLoadOfTheFluid) {
+  const Eigen::MatrixX3d x = points_around(corner, spread_size), f = random_matrix(60, 6);
+  Eigen::MatrixX3d load(60, 3), again(60, 3);
+  for (const Kernel kernel : kernels) {
+    Coupled s(open_box, kernel, x);
+    s.boundary.spread(f);
+    s.boundary.interpolate_force(load);
+    double squares = 0.0;
+    for_fluid_nodes(s.lattice.cell(), [&](int nx, int ny, int nz) {
+      for (const auto& component : s.lattice.force) {
+        squares += std::pow(component[s.lattice.layout().node(nx, ny, nz)], 2);
+      }
+    });
+    EXPECT_NEAR(f.cwiseProduct(load).sum(), squares, 1e-12 * squares);
+    s.boundary.clear_force();
+    s.boundary.spread(f);
+    s.boundary.interpolate_force(again);
+    EXPECT_EQ((again - load).cwiseAbs().maxCoeff(), 0.0);
+  }
+}
+
 TEST(ImmersedBoundary, TotalForceIsKeptNextToAPillarAndAWall) {
   const BoxSize size{20, 22, 8, 6.0, 6, HeightBoundary::walls};
   // Around the pillar, some of them within it; and up to the top wall.

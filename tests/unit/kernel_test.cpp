@@ -62,5 +62,14 @@ TEST(Kernel, SumOfSquaresIsConstant) {
   }
 }
 
+/// By hand: phi4 has the weights 1/4, 1/2, 1/4 on a node, phi2 1 on a node and 1/2, 1/2 between two.
+TEST(Kernel, ShareOfTheKink) {
+  EXPECT_NEAR(kink_share<Phi4>(), 1.0, 0.02);
+  EXPECT_GT(kink_share<Phi4>(), 1.0);  // 0.375 / 0.375 on a node, more between nodes
+  EXPECT_NEAR(kink_share<Phi3>(), 0.53, 0.03);
+  // phi2: sum_ij phi_i phi_j |i - j| / 2 = t (1 - t), sum phi^2 = 1 - 2 t (1 - t): means 1/6 and 2/3.
+  EXPECT_NEAR(kink_share<Phi2>(), 0.25, 1e-4);
+}
+
 }  // namespace
 }  // namespace dld

@@ -28,6 +28,8 @@ LOOKS = {
     "lattice-0.4": (style.GREEN, "^"),
     "lattice-0.2": (style.ORANGE, "v"),
     "lattice-0.133": (style.PURPLE, "<"),
+    "corrected-0.4": (style.BLUE, "o"),
+    "corrected-0.2": (style.VERMILION, "o"),
     "extrapolated": (style.BLACK, "D"),
     "extrapolated-3": ("#777777", "D"),
     "blocked-lateral": (style.PURPLE, "s"),
@@ -42,8 +44,9 @@ def name_of(series):
     """A series in words, for the legend."""
     if series == "blocked-lateral":
         return "no net lateral flow"
-    if series.startswith("lattice-"):
-        return f"dx = {series.removeprefix('lattice-')} μm"
+    kind, _, spacing = series.partition("-")
+    if kind in ("lattice", "corrected"):
+        return f"dx = {spacing} μm" + (", corrected coupling" if kind == "corrected" else "")
     return "extrapolated, dx → 0" + (" (3 lattices)" if series.endswith("-3") else "")
 
 

@@ -58,7 +58,10 @@ def boundary(table, claim):
         printed = critical_capillary_number(shift, [claim["value"][name] for name in PARAMETERS])
         texts = [found.get(name, "") for name in lattices + limits]
         rows.append([shift, *texts, "" if printed is None else f"{printed:.2f}"])
-    heads = [f"Ca at {name.removeprefix('lattice-')} um" for name in lattices] + limits
+    kinds = (name.partition("-") for name in lattices)
+    heads = [
+        "Ca at " + f"{dx} um" + ("" if kind == "lattice" else f", {kind}") for kind, _, dx in kinds
+    ] + limits
     return markdown_table(["d / um", *heads, "paper, Eq. (5)"], rows)
 
 
