@@ -8,6 +8,9 @@ from study.boundary import PARAMETERS, critical_capillary_number
 #: Stages that are targets of their own and not part of the study, by how their names begin.
 ON_REQUEST = ("accuracy", "settings-check", "stability", "long-run")
 
+#: Series of brackets that the boundary of the README shows, by how their names begin.
+SHOWN = ("lattice-", "corrected-", "extrapolated")
+
 
 def with_blocks(text, blocks):
     """The text with every block put between its marks `<!-- name -->` and `<!-- end -->`; an error if a block
@@ -49,7 +52,7 @@ def interval(low, high, digits=3):
 
 def boundary(table, claim):
     """Critical capillary number on each lattice, in their limit and by the paper's Eq. (5), by row shift."""
-    free = table[(table.lateral_flow == "free") & ~table.series.str.startswith("sensitivity/")]
+    free = table[table.series.str.startswith(SHOWN)]
     limits = [name for name in sorted(free.series.unique()) if name.startswith("extrapolated")]
     lattices = [name for name in sorted(free.series.unique(), reverse=True) if name not in limits]
     rows = []
