@@ -9,7 +9,7 @@ import numpy as np
 from study.boundary import PARAMETERS, law
 from study.claims import LIMIT, PAPER_RANGE, SERIES, SWEEP, Finding, at_paper_lattice, check, ranged, runs_of
 
-FINER = "lattice-0.2"  # series of brackets on the finer lattice
+OTHERS = ("lattice-0.2", LIMIT, "corrected-0.4")  # series of brackets that stand beside the paper's lattice
 CAPILLARY_NUMBERS = [0.1, 0.3, 0.5, 0.7, 1.2]  # of Fig. 6
 
 
@@ -44,8 +44,8 @@ def listed(rows):
 
 
 def other_lattices(tables, row_shift_um):
-    """What the finer lattice and the limit say at one row shift."""
-    found = {name: near_boundary(tables, row_shift_um, name) for name in (FINER, LIMIT)}
+    """What the finer lattice, the limit and the corrected coupling say at one row shift."""
+    found = {name: near_boundary(tables, row_shift_um, name) for name in OTHERS}
     return "; ".join(f"d = {row_shift_um:g}, {name}: {text}" for name, text in found.items() if text)
 
 
@@ -119,7 +119,7 @@ def phase_boundary(tables, claim, _):
         a, b, c = rows.value
         return f"{a:.2f} + {b:.2f} exp(-{c:.2f} Ca), off by {distance(rows):.2f} um at most"
 
-    others = {name: fitted(tables, name) for name in (FINER, LIMIT, "paper-text")}
+    others = {name: fitted(tables, name) for name in (*OTHERS, "paper-text")}
     note = "; ".join(f"{name}: {text(rows)}" for name, rows in others.items() if rows is not None)
     interval = ", ".join(f"{name} {row.low:.2f} ... {row.high:.2f}" for name, row in found.iterrows())
     boundary = tables["phase_boundary"]
