@@ -4,13 +4,13 @@ The cell lingers at a stagnation point of the gap, so that this time grows as -l
 
 import numpy as np
 from study import style
+from study.arguments import figure_arguments
 from study.extent import (
     DECIDED,
     GREY,
     MARKERS,
     capillary_axis,
     draw_classes,
-    figure_arguments,
     of_sweep,
     panel_note,
     shade,
