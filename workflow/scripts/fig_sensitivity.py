@@ -29,7 +29,10 @@ def with_names(table):
         rows.choice.str.replace("_um", " / μm").str.replace("_", " ") + ": " + rows.value.astype(str)
     )
     before = rows.observable.map(default)
-    rows["class_changed"] = (rows["class"].notna() & before.notna() & (rows["class"] != before)).astype(int)
+    # A critical capillary number has the status of its bracket in this column, which is no class.
+    passages = rows.observable.astype(str).str.startswith("d_perp")
+    changed = passages & rows["class"].notna() & before.notna() & (rows["class"] != before)
+    rows["class_changed"] = changed.astype(int)
     return rows
 
 
@@ -77,9 +80,7 @@ def draw_panel(axes, rows, kind):
     axes.tick_params(axis="y", length=0)
     axes.locator_params(axis="x", nbins=7 if kind == "d_perp" else 4)
     axes.margins(x=0.08)
-    columns = 2 if kind == "d_perp" else len(observables)
-    look = {"fontsize": 6.5, "ncols": columns, "handlelength": 1, "columnspacing": 1, "borderpad": 0}
-    axes.legend(loc="lower left", bbox_to_anchor=(0.09, 1.01), **look)
+    axes.legend(loc="best", fontsize=6.5, handlelength=1)
 
 
 def main():
