@@ -199,3 +199,8 @@ def test_the_article_is_typeset_with_the_same_bytes(generated, tmp_path):
         return pdf.read_bytes()
 
     assert build("first") == build("second")
+
+
+def test_no_number_of_the_article_is_a_whole_table_of_values(generated):
+    text = (Path(generated) / "numbers.tex").read_text(encoding="utf-8")
+    assert "'factor'" not in text and "\\{'" not in text
