@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <optional>
 
 #include "membrane/regularisation.hpp"
@@ -119,6 +120,41 @@ TEST(CoupledCell, RegularisationLeavesTheCentroid) {
   const auto [regularised, positions] = centre_after(0.6);
   EXPECT_LT((plain - regularised).norm(), 1e-13);
   EXPECT_GT((plain_positions - positions).norm(), 1e-4);
+}
+
+/// From the same deformed shape in a fluid at rest the corrected kernel adds a velocity within the surface,
+/// along the load on the whole, and in proportion to its mobility.
+TEST(CoupledCell, CorrectedKernelAddsAVelocityWithinTheSurface) {
+  CellRun deformed(full_box, unit_cell(full_box), {start_x, start_y, 0});
+  deformed.advance(400);
+  const auto velocities = [&](double kink_mobility) {
+    CouplingModel model = CellRun::standard();
+    model.kink_mobility = kink_mobility;
+    model.mobility = 0.0;
+    model.project_volume = false;
+    CellRun run(full_box, unit_cell(full_box), {start_x, start_y, 0}, model);
+    run.lattice.set_uniform_force(0, 0, 0);
+    run.coupled->restore(deformed.coupled->positions(), 0);
+    run.advance(1);
+    return std::pair{run.coupled->velocities(), run.coupled->forces()};
+  };
+  const auto [plain, forces] = velocities(0);
+  const Eigen::MatrixX3d once = velocities(0.7).first - plain, twice = velocities(1.4).first - plain;
+
+  const Eigen::MatrixX3d& x = deformed.coupled->positions();
+  Eigen::MatrixX3d normal = Eigen::MatrixX3d::Zero(x.rows(), 3);
+  for (const auto& face : deformed.membrane.reference().faces.rowwise()) {
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d b = x.row(face((k + 1) % 3)), c = x.row(face((k + 2) % 3));
+      normal.row(face(k)) += b.cross(c).transpose();
+    }
+  }
+  normal.rowwise().normalize();
+  const double size = once.cwiseAbs().maxCoeff();
+  EXPECT_GT(size, 1e-6);
+  EXPECT_LT(once.cwiseProduct(normal).rowwise().sum().cwiseAbs().maxCoeff(), 1e-9 * size);
+  EXPECT_LT((twice - 2 * once).cwiseAbs().maxCoeff(), 1e-9 * size);
+  EXPECT_GT(once.cwiseProduct(forces).sum(), 0.0);
 }
 
 TEST(CoupledCell, HalfHeightIsFullHeightForAFlatCell) {
