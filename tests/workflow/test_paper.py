@@ -204,3 +204,9 @@ def test_the_article_is_typeset_with_the_same_bytes(generated, tmp_path):
 def test_no_number_of_the_article_is_a_whole_table_of_values(generated):
     text = (Path(generated) / "numbers.tex").read_text(encoding="utf-8")
     assert "'factor'" not in text and "\\{'" not in text
+
+
+def test_a_value_that_is_a_table_is_refused():
+    entry = {"key": "printed/factor", "json": "printed", "at": "/value"}
+    with pytest.raises(ValueError, match="printed/factor"):
+        manuscript.number(entry, {}, {"printed": {"value": {"factor": 1.08}}})

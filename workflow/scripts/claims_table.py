@@ -7,14 +7,13 @@ examines less than the whole; in the others the program says which and fails.
 import argparse
 import json
 import sys
-from collections import Counter
 from pathlib import Path
 
 import pandas as pd
 from study import claims_classes, claims_extent, claims_flow  # noqa: F401 (they register their checks)
-from study.claims import CHECKS
+from study.claims import CHECKS, counted
 from study.plan import validated
-from study.tables import read_table, write_table
+from study.tables import markdown_table, read_table, write_table
 
 TABLES = ["streamline_separation", "fits", "stokes_checks", "units", "stretching", "passages"]
 TABLES += ["phase_boundary", "critical_row_shift", "a_priori"]
@@ -50,20 +49,17 @@ def runs_in_words(runs):
 
 def markdown(rows, tier):
     """The verdicts as a Markdown page."""
-    count = Counter(row["verdict"] for row in rows)
-    verdicts = ("REPRODUCED", "NOT REPRODUCED", "NOT RUN")
     lines = [f"# Verdicts on the paper's claims ({tier} tier)", ""]
-    lines += [", ".join(f"{count[name]} {name}" for name in verdicts) + ".", ""]
+    lines += [counted(row["verdict"] for row in rows) + ".", ""]
     titles = ["id", "claim", "paper", "measured", "uncertainty", "tolerance", "verdict", "note", "runs"]
-    lines += ["| " + " | ".join(titles) + " |", "|" + "---|" * len(titles)]
+    cells = []
     for row in rows:
         shown = row | {
             "paper": " ".join(filter(None, (row["paper_value"], row["unit"]))),
             "runs": runs_in_words(row["runs"]),
         }
-        cells = [(shown.get(title) or "").replace("|", "\\|") for title in titles]
-        lines.append("| " + " | ".join(cells) + " |")
-    return "\n".join(lines) + "\n"
+        cells.append([shown.get(title) or "" for title in titles])
+    return "\n".join([*lines, *markdown_table(titles, cells)]) + "\n"
 
 
 def main():

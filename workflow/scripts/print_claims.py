@@ -4,11 +4,11 @@ import sys
 import textwrap
 
 import pandas as pd
+from study.claims import counted
 
 table = pd.read_csv(sys.argv[1], keep_default_na=False)
 width = table.id.str.len().max()
 for row in table.itertuples():
     text = row.measured or row.note
     print(f"{row.id:{width}}  {row.verdict:14}  {textwrap.shorten(text, 100, placeholder=' ...')}")
-count = table.verdict.value_counts()
-print(", ".join(f"{count.get(name, 0)} {name}" for name in ("REPRODUCED", "NOT REPRODUCED", "NOT RUN")))
+print(counted(table.verdict))

@@ -6,6 +6,7 @@ refined values stand in the note. A claim that does not come out is a result. Th
 claims_flow (flow, tweezer), claims_classes and claims_extent (cells in the array).
 """
 
+from collections import Counter
 from dataclasses import dataclass
 
 from study.plan import read_json
@@ -14,6 +15,13 @@ LATTICE_UM = 0.4
 SWEEP, SERIES, LIMIT = "grid", "lattice-0.4", "extrapolated"
 PAPER_RANGE = (0.1, 1.5)  # capillary numbers of the paper
 CHECKS = {}
+VERDICTS = ("REPRODUCED", "NOT REPRODUCED", "NOT RUN")
+
+
+def counted(verdicts):
+    """How often each verdict was given, in words."""
+    count = Counter(verdicts)
+    return ", ".join(f"{count[name]} {name}" for name in VERDICTS)
 
 
 @dataclass(frozen=True)

@@ -156,6 +156,8 @@ def number(entry, tables, documents):
         if entry["column"] not in frame:
             raise KeyError(f"{entry['key']}: table {entry['table']} has no column '{entry['column']}'")
         first, last = reduced(rows[entry["column"]], how)
+    if isinstance(first, dict | list):
+        raise ValueError(f"{entry['key']}: {entry['at']} is not one value but {first}")
     if "words" in entry:
         return entry["words"].get(str(first), MISSING if first is None else typeset(first))
     low, high = shown(first, style), shown(last, style)

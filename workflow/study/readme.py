@@ -4,6 +4,8 @@ import math
 import re
 
 from study.boundary import PARAMETERS, critical_capillary_number
+from study.claims import counted
+from study.tables import markdown_table
 
 #: Stages that are targets of their own and not part of the study, by how their names begin.
 ON_REQUEST = ("accuracy", "settings-check", "stability", "long-run")
@@ -23,11 +25,6 @@ def with_blocks(text, blocks):
     return text
 
 
-def markdown_table(head, rows):
-    lines = [head, ["---"] * len(head), *rows]
-    return "\n".join("| " + " | ".join(str(cell) for cell in line) + " |" for line in lines)
-
-
 def times(stages):
     """Runs and core time of every stage of the study and their sum, from the table of stage times."""
     stages = stages[~stages.stage.str.startswith(ON_REQUEST)]
@@ -39,7 +36,8 @@ def times(stages):
         for row in sums.itertuples()
     ]
     total = ["**all**", "", sums.runs.sum(), "", f"**{sums.total_s.sum() / 60:.0f}**"]
-    return markdown_table(["stage", "dx / um", "runs", "longest / s", "together / core min"], [*rows, total])
+    titles = ["stage", "dx / um", "runs", "longest / s", "together / core min"]
+    return "\n".join(markdown_table(titles, [*rows, total]))
 
 
 def interval(low, high, digits=3):
@@ -62,14 +60,10 @@ def boundary(table, claim):
         texts = [found.get(name, "") for name in lattices + limits]
         rows.append([shift, *texts, "" if printed is None else f"{printed:.2f}"])
     kinds = (name.partition("-") for name in lattices)
-    heads = [
-        "Ca at " + f"{dx} um" + ("" if kind == "lattice" else f", {kind}") for kind, _, dx in kinds
-    ] + limits
-    return markdown_table(["d / um", *heads, "paper, Eq. (5)"], rows)
+    heads = [f"Ca at {dx} um" + ("" if kind == "lattice" else f", {kind}") for kind, _, dx in kinds]
+    return "\n".join(markdown_table(["d / um", *heads, *limits, "paper, Eq. (5)"], rows))
 
 
 def verdicts(table):
     """How many claims came out and how many did not."""
-    count = table.verdict.value_counts()
-    words = [f"{count.get(name, 0)} {name.lower()}" for name in ("REPRODUCED", "NOT REPRODUCED", "NOT RUN")]
-    return f"**Claims: {', '.join(words)}.**"
+    return f"**Claims: {counted(table.verdict).lower()}.**"

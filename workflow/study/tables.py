@@ -5,6 +5,12 @@ from pathlib import Path
 import pandas as pd
 
 
+def markdown_table(titles, rows):
+    """The lines of a Markdown table from texts; a bar within a text is escaped."""
+    lines = ["| " + " | ".join(titles) + " |", "|" + "---|" * len(titles)]
+    return lines + ["| " + " | ".join(str(cell).replace("|", "\\|") for cell in row) + " |" for row in rows]
+
+
 def formatted(value, style):
     """Text of one cell; a missing or undefined number is an empty cell."""
     if value is None or (isinstance(value, float) and value != value):
