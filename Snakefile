@@ -18,6 +18,7 @@ os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["
 sys.path.insert(0, os.path.join(workflow.basedir, "workflow"))
 
 from study.plan import ids, load_plan
+from study.points import STUDY_GROUPS
 
 STUDY, CLAIMS = "params/study.json", "params/claims.json"
 TIER = str(config.get("tier", "paper"))

@@ -65,6 +65,17 @@ TEST(Presets, AreAnnotationsOfTheSchema) {
   for (const auto& p : presets()) EXPECT_EQ(annotation[p.name], p.settings);
 }
 
+// Their contact is a length, not a number of lattice spacings.
+TEST(Presets, HoldTheContactOfTheCorrectedKernelAtATenthOfAMicrometre) {
+  for (const auto* name : {"corrected", "corrected_reference"}) {
+    const Case c = with_accuracy(name);
+    const double range = c.coupling.repulsion_range, standard = CouplingParameters{}.pillar_repulsion;
+    EXPECT_NEAR(range * c.fluid.lattice_spacing_um, 0.1, 1e-12) << name;
+    EXPECT_NEAR(c.coupling.pillar_repulsion / (range * range), standard, 2e-3 * standard) << name;
+    EXPECT_EQ(c.coupling.wall_repulsion, c.coupling.pillar_repulsion) << name;
+  }
+}
+
 // The finer the lattice of a preset, the later it comes in the list.
 TEST(Presets, GoFromCheapToAccurate) {
   double previous = 1e9;

@@ -48,5 +48,4 @@ def of_runs(name, *groups):
     return expand(f"{RUNS}/{{run}}/{name}", run=ids(PLAN, *groups))
 
 
-STUDY_GROUPS = ["streamlines", "stokes", "stretching", "passages", "boundary", "sensitivity", "sensitivity-flow"]
 ALL_RUNS = expand(f"{RUNS}/{{run}}/summary.json", run=ids(PLAN, *STUDY_GROUPS))

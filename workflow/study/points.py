@@ -3,6 +3,9 @@ brackets that add runs while they narrow."""
 
 from itertools import product
 
+#: Groups of runs that make up the study; the others belong to targets of their own (accuracy, stability).
+STUDY_GROUPS = ("streamlines", "stokes", "stretching", "passages", "boundary", "sensitivity", "sensitivity-flow")
+
 
 def merged(*overlays):
     """Nested dictionaries laid over one another; the last one wins, leaf by leaf."""

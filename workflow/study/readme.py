@@ -5,10 +5,8 @@ import re
 
 from study.boundary import PARAMETERS, critical_capillary_number
 from study.claims import counted
+from study.points import STUDY_GROUPS
 from study.tables import markdown_table
-
-#: Stages that are targets of their own and not part of the study, by how their names begin.
-ON_REQUEST = ("accuracy", "settings-check", "stability", "long-run")
 
 #: Series of brackets that the boundary of the README shows, by how their names begin.
 SHOWN = ("lattice-", "corrected-", "extrapolated")
@@ -27,7 +25,7 @@ def with_blocks(text, blocks):
 
 def times(stages):
     """Runs and core time of every stage of the study and their sum, from the table of stage times."""
-    stages = stages[~stages.stage.str.startswith(ON_REQUEST)]
+    stages = stages[stages.stage.isin(STUDY_GROUPS)]
     sums = stages.groupby(["stage", "dx_um"], as_index=False).agg(
         runs=("runs", "sum"), longest_s=("longest_s", "max"), total_s=("total_s", "sum")
     )
