@@ -100,6 +100,19 @@ def test_a_bracket_knows_the_runs_of_the_sweeps_on_its_axis(study):
     assert [shift for shift, _ in mirror] == study["tiers"]["paper"]["passages"]["grid"]["row_shifts_um"]
 
 
+def test_a_row_shift_may_have_a_range_of_its_own(study):
+    changed = copy.deepcopy(study)
+    series = changed["tiers"]["paper"]["boundary"]["series"]["lattice-0.4"]
+    series["ca_ranges"] = {"6.8": [0.3, 0.6]}
+    brackets = planning.make_plan(changed, "paper", CASE_SCHEMA)["brackets"]
+    ends = [capillary for capillary, _ in brackets["lattice-0.4/d6.8"]["known"]]
+    assert (ends[0], ends[-1]) == (0.3, 0.6)
+    assert [capillary for capillary, _ in brackets["lattice-0.4/d6"]["known"]][-1] == 2.4
+    series["ca_ranges"] = {"6.9": [0.3, 0.6]}
+    with pytest.raises(ValueError, match=r"lattice-0.4: /ca_ranges/6.9: allowed are its row shifts, 2, 3.2"):
+        planning.make_plan(changed, "paper", CASE_SCHEMA)
+
+
 def test_names_that_the_study_refers_to_exist(study):
     for name in study["tiers"]:
         tier = planning.expanded(study["tiers"], name)

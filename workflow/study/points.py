@@ -146,8 +146,12 @@ def sensitivity_brackets(tier):
 
 
 def _along_capillary_number(series, entry, part, overlay, kind="boundary"):
+    own_ranges = entry.get("ca_ranges", {})
+    shifts = [f"{shift:g}" for shift in entry["row_shifts_um"]]
+    if unknown := sorted(set(own_ranges) - set(shifts)):
+        raise ValueError(f"series {series}: /ca_ranges/{unknown[0]}: allowed are its row shifts, {', '.join(shifts)}")
     for shift in entry["row_shifts_um"]:
-        low, high = entry["ca_range"]
+        low, high = own_ranges.get(f"{shift:g}", entry["ca_range"])
         definition = {
             "kind": kind,
             "series": series,
