@@ -4,7 +4,15 @@ brackets that add runs while they narrow."""
 from itertools import product
 
 #: Groups of runs that make up the study; the others belong to targets of their own (accuracy, stability).
-STUDY_GROUPS = ("streamlines", "stokes", "stretching", "passages", "boundary", "sensitivity", "sensitivity-flow")
+STUDY_GROUPS = (
+    "streamlines",
+    "stokes",
+    "stretching",
+    "passages",
+    "boundary",
+    "sensitivity",
+    "sensitivity-flow",
+)
 
 
 def merged(*overlays):
@@ -149,7 +157,9 @@ def _along_capillary_number(series, entry, part, overlay, kind="boundary"):
     own_ranges = entry.get("ca_ranges", {})
     shifts = [f"{shift:g}" for shift in entry["row_shifts_um"]]
     if unknown := sorted(set(own_ranges) - set(shifts)):
-        raise ValueError(f"series {series}: /ca_ranges/{unknown[0]}: allowed are its row shifts, {', '.join(shifts)}")
+        raise ValueError(
+            f"series {series}: /ca_ranges/{unknown[0]}: allowed are its row shifts, {', '.join(shifts)}"
+        )
     for shift in entry["row_shifts_um"]:
         low, high = own_ranges.get(f"{shift:g}", entry["ca_range"])
         definition = {
