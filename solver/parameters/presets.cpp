@@ -41,8 +41,8 @@ Json lattice(double spacing_um, double relaxation_time, double force_density) {
 
 // The one table of presets. On a finer lattice tau - 1/2 grows and the force density falls with the number of
 // nodes: the Reynolds number and the density variation stay, the space error alone changes. The edges of the
-// mesh stay a lattice spacing long, because cells fold at a pillar with a radius of 0.4 um, an edge of the mesh
-// of frequency 10. `draft` doubles the force density. Errors: the section Presets of
+// mesh stay a lattice spacing long, because cells fold at a pillar with a radius of 0.4 um, an edge of the
+// mesh of frequency 10. `draft` doubles the force density. Errors: the section Presets of
 // results/accuracy_conclusions.md, and the critical Ca against its limit at d = 6.8 um in
 // results/tables/phase_boundary.csv.
 const std::vector<Preset>& presets() {
