@@ -47,12 +47,12 @@ LatticeParameters to_lattice(const Case& c) {
   l.volume_modulus = c.cell.volume_modulus * stress;
   l.repulsion_strength = c.coupling.pillar_repulsion * stress;
   l.wall_repulsion_strength = c.coupling.wall_repulsion * stress;
-  if (kernel_is_corrected(c.coupling.kernel)) {
-    const double odd = c.fluid.relaxation_time - 0.5;
-    const double magic = c.fluid.collision == "bgk" ? odd * odd : c.fluid.magic_parameter;
-    l.kink_mobility =
-        (kink_share<Phi4>() + lattice_kink_share(magic)) / (0.5 * (1 + c.cell.viscosity_ratio) * l.viscosity);
-  }
+  const double odd = c.fluid.relaxation_time - 0.5;
+  const JumpCorrection correction =
+      kernel_correction(c.coupling.kernel, c.cell.viscosity_ratio,
+                        c.fluid.collision == "bgk" ? odd * odd : c.fluid.magic_parameter);
+  l.kink_mobility = correction.share / l.viscosity;
+  l.tangential_retraction = correction.retraction;
   return l;
 }
 
