@@ -17,13 +17,14 @@ min_version("9.0")
 os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
 sys.path.insert(0, os.path.join(workflow.basedir, "workflow"))
 
-from study.plan import ids, load_plan
+from study.plan import ids, load_plan, write_plan
 from study.points import STUDY_GROUPS
 
 STUDY, CLAIMS = "params/study.json", "params/claims.json"
 TIER = str(config.get("tier", "paper"))
 PLAN = load_plan(STUDY, TIER)
 RESULTS = "results" if TIER == "paper" else f"results/{TIER}"
+PLAN_FILE = write_plan(PLAN, f"{RESULTS}/plan.json")
 RUNS, TABLES, FIGURES, LOGS = (f"{RESULTS}/{name}" for name in ("runs", "tables", "figures", "logs"))
 SCRIPTS = "workflow/scripts"
 PACKAGE = sorted(glob("workflow/study/*.py"))  # every analysis depends on it

@@ -1,6 +1,7 @@
 """Plans: tiers, resolved cases, identities."""
 
 import copy
+import os
 
 import pytest
 from study import plan as planning
@@ -129,3 +130,17 @@ def test_names_that_the_study_refers_to_exist(study):
         variants = set(tier["streamlines"]["variants"])
         for members in tier["streamlines"]["refinement"].values():
             assert set(members) <= variants
+
+
+def test_the_written_plan_changes_with_its_content_only(tmp_path):
+    path = tmp_path / "results/plan.json"
+    plan = {"tier": "t", "runs": [{"id": "a"}, {"id": "b"}], "brackets": {"c": {"levels": 2}}}
+    assert planning.write_plan(plan, path) == path
+    assert planning.read_json(path) == plan
+    os.utime(path, (1, 1))
+    planning.write_plan(plan, path)
+    assert path.stat().st_mtime == 1
+    planning.write_plan(plan | {"tier": "other"}, path)
+    assert planning.read_json(path)["tier"] == "other"
+    assert path.stat().st_mtime > 1
+    assert [file.name for file in path.parent.iterdir()] == ["plan.json"]

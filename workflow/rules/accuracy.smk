@@ -20,7 +20,7 @@ rule accuracy:
 
 rule accuracy_cheap_models:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         script=f"{SCRIPTS}/accuracy_cheap_models.py",
         package=PACKAGE,
     output:
@@ -34,7 +34,7 @@ rule accuracy_cheap_models:
 
 rule accuracy_table:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("summary.json", *ACCURACY_GROUPS),
         cheap=rules.accuracy_cheap_models.output,
         script=f"{SCRIPTS}/accuracy_table.py",
@@ -54,7 +54,7 @@ rule accuracy_table:
 
 rule settings_check:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("summary.json", "settings-check"),
         script=f"{SCRIPTS}/settings_check.py",
         package=PACKAGE,
@@ -70,7 +70,7 @@ rule settings_check:
 
 rule accuracy_conclusions:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.accuracy_table.output,
         check=rules.settings_check.output,
         script=f"{SCRIPTS}/accuracy_conclusions.py",
@@ -90,7 +90,7 @@ rule accuracy_conclusions:
 
 rule work_precision:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.accuracy_table.output,
         script=f"{SCRIPTS}/work_precision.py",
         package=PACKAGE,
@@ -109,7 +109,7 @@ rule work_precision:
 
 rule accuracy_class_table:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         passages=rules.passages_table.output,
         crossings=rules.crossings_table.output.crossings,
         summary=rules.a_priori.output.summary,
@@ -128,7 +128,7 @@ rule accuracy_class_table:
 
 rule work_precision_class:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.accuracy_class_table.output,
         script=f"{SCRIPTS}/work_precision.py",
         package=PACKAGE,

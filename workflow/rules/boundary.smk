@@ -47,7 +47,7 @@ def final_state(wildcards):
 
 rule bracket_start:
     input:
-        plan=ancient(rules.plan.output[0]),
+        plan=ancient(PLAN_FILE),
         runs=known_runs,
         script=f"{SCRIPTS}/bracket_start.py",
         code=BRACKET_CODE,
@@ -67,7 +67,7 @@ rule bracket_start:
 
 rule bracket_point:
     input:
-        plan=ancient(rules.plan.output[0]),
+        plan=ancient(PLAN_FILE),
         bracket=state_before,
         dld=ancient(DLD),
         runner=ancient(f"{SCRIPTS}/run_case"),
@@ -91,7 +91,7 @@ rule bracket_point:
 
 rule bracket_narrow:
     input:
-        plan=ancient(rules.plan.output[0]),
+        plan=ancient(PLAN_FILE),
         bracket=state_before,
         points=[f"{BRACKETS}/{{bracket}}/level-{{level}}-{side}.json" for side in SIDES],
         script=f"{SCRIPTS}/bracket_narrow.py",
@@ -111,7 +111,7 @@ rule bracket_narrow:
 
 rule bracket_confirm:
     input:
-        plan=ancient(rules.plan.output[0]),
+        plan=ancient(PLAN_FILE),
         bracket=final_state,
         dld=ancient(DLD),
         runner=ancient(f"{SCRIPTS}/run_case"),
@@ -136,7 +136,7 @@ rule bracket_confirm:
 
 rule boundary_tables:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         brackets=BRACKET_FILES + CONFIRMATION_FILES,
         script=f"{SCRIPTS}/boundary_tables.py",
         package=PACKAGE,

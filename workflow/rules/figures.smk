@@ -11,7 +11,7 @@ ANIMATION_FILES = expand("{folder}/animation_{name}.gif", folder=FIGURES, name=P
 
 rule array_lines:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("run.h5", "streamlines", "passages"),
         script=f"{SCRIPTS}/array_lines.py",
         package=PACKAGE,
@@ -27,7 +27,7 @@ rule array_lines:
 
 rule figure_array:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         lines=rules.array_lines.output,
         script=f"{SCRIPTS}/fig01_array.py",
         package=PACKAGE,
@@ -41,7 +41,7 @@ rule figure_array:
 
 rule figure_geometry:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         script=f"{SCRIPTS}/fig02_geometry.py",
         package=PACKAGE,
     output:
@@ -54,7 +54,7 @@ rule figure_geometry:
 
 rule cell_shapes:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("run.h5", "passages", "stretching"),
         script=f"{SCRIPTS}/cell_shapes.py",
         package=PACKAGE,
@@ -75,7 +75,7 @@ rule cell_shapes:
 
 rule figure_mesh:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         shapes=rules.cell_shapes.output.fig03,
         faces=rules.cell_shapes.output.faces,
         script=f"{SCRIPTS}/fig03_mesh.py",
@@ -93,7 +93,7 @@ rule figure_mesh:
 
 rule flow_fields:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("run.h5", "streamlines"),
         script=f"{SCRIPTS}/flow_fields.py",
         package=PACKAGE,
@@ -113,7 +113,7 @@ rule flow_fields:
 
 rule figure_streamlines:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         fields=rules.flow_fields.output.fields,
         separatrices=rules.flow_fields.output.separatrices,
         script=f"{SCRIPTS}/fig04_streamlines.py",
@@ -131,7 +131,7 @@ rule figure_streamlines:
 
 rule figure_tweezer:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.stretching_table.output,
         experiment=EXPERIMENT,
         shapes=rules.cell_shapes.output.fig05,
@@ -151,7 +151,7 @@ rule figure_tweezer:
 
 rule trajectories:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("run.h5", "passages"),
         script=f"{SCRIPTS}/trajectories.py",
         package=PACKAGE,
@@ -167,7 +167,7 @@ rule trajectories:
 
 rule figure_trajectories:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         trajectories=rules.trajectories.output,
         script=f"{SCRIPTS}/fig06_trajectories.py",
         package=PACKAGE,
@@ -181,7 +181,7 @@ rule figure_trajectories:
 
 rule figure_classes:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.passages_table.output,
         script=f"{SCRIPTS}/fig06_classes.py",
         package=PACKAGE,
@@ -198,7 +198,7 @@ rule figure_classes:
 
 rule figure_phase_space:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         passages=rules.passages_table.output,
         boundary=rules.boundary_tables.output.boundary,
         fits=rules.boundary_fits.output,
@@ -218,7 +218,7 @@ rule figure_phase_space:
 
 rule figure_separation:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.streamline_table.output,
         fits=rules.separation_law_fits.output,
         claims=CLAIMS,
@@ -237,7 +237,7 @@ rule figure_separation:
 
 rule gap_sections:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("run.h5", "passages"),
         script=f"{SCRIPTS}/gap_sections.py",
         package=PACKAGE,
@@ -259,7 +259,7 @@ rule gap_sections:
 
 rule figure_shapes:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         shapes=rules.gap_sections.output.shapes,
         outlines=rules.gap_sections.output.outlines,
         faces=rules.gap_sections.output.faces,
@@ -281,7 +281,7 @@ rule figure_shapes:
 
 rule animation_outlines:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("run.h5", "passages"),
         script=f"{SCRIPTS}/animation_outlines.py",
         package=PACKAGE,
@@ -297,7 +297,7 @@ rule animation_outlines:
 
 rule animation:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         outlines=rules.animation_outlines.output,
         script=f"{SCRIPTS}/animation.py",
         package=PACKAGE,

@@ -11,7 +11,7 @@ EXTENT_FIGURES = expand(
 
 rule figure_extent_row_shift:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.passages_table.output,
         fits=rules.boundary_fits.output,
         claims=CLAIMS,
@@ -31,7 +31,7 @@ rule figure_extent_row_shift:
 
 rule figure_extent_capillary:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.passages_table.output,
         stretching=rules.stretching_table.output,
         claims=CLAIMS,
@@ -50,7 +50,7 @@ rule figure_extent_capillary:
 
 rule figure_return_maps:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.crossings_table.output.maps,
         script=f"{SCRIPTS}/fig_return_maps.py",
         package=PACKAGE,
@@ -64,7 +64,7 @@ rule figure_return_maps:
 
 rule figure_film:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.passages_table.output,
         script=f"{SCRIPTS}/fig_film.py",
         package=PACKAGE,
@@ -78,7 +78,7 @@ rule figure_film:
 
 rule figure_speed:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.passages_table.output,
         crossings=rules.crossings_table.output.crossings,
         boundary=rules.boundary_tables.output.boundary,
@@ -97,7 +97,7 @@ rule figure_speed:
 
 rule figure_a_priori:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.a_priori.output.table,
         summary=rules.a_priori.output.summary,
         script=f"{SCRIPTS}/fig_a_priori.py",
@@ -115,7 +115,7 @@ rule figure_a_priori:
 
 rule figure_sensitivity:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.sensitivity_table.output,
         script=f"{SCRIPTS}/fig_sensitivity.py",
         package=PACKAGE,
@@ -132,7 +132,7 @@ rule figure_sensitivity:
 
 rule figure_refinement:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.passages_table.output,
         crossings=rules.crossings_table.output.crossings,
         script=f"{SCRIPTS}/fig_refinement.py",

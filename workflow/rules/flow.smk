@@ -9,7 +9,7 @@ FLOW_TABLES = expand(
 
 rule streamline_table:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("summary.json", "streamlines"),
         script=f"{SCRIPTS}/streamline_table.py",
         package=PACKAGE,
@@ -39,7 +39,7 @@ rule separation_law_fits:
 
 rule stokes_checks:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("summary.json", "stokes") + of_runs("run.h5", "stokes"),
         script=f"{SCRIPTS}/stokes_checks.py",
         package=PACKAGE,

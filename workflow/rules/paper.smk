@@ -26,7 +26,7 @@ rule paper_numbers:
         verdicts=rules.claims.output.csv,
         claims=CLAIMS,
         schema="workflow/schemas/case.schema.json",
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         script=f"{SCRIPTS}/paper_numbers.py",
         package=PACKAGE,
     output:

@@ -7,7 +7,7 @@ PASSAGE_TABLES = expand(
 
 rule passages_table:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("summary.json", "passages") + of_runs("run.h5", "passages"),
         brackets=BRACKET_FILES,
         script=f"{SCRIPTS}/passages_table.py",
@@ -28,7 +28,7 @@ rule passages_table:
 
 rule crossings_table:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("run.h5", "passages"),
         brackets=BRACKET_FILES,
         script=f"{SCRIPTS}/crossings_table.py",

@@ -30,7 +30,7 @@ rule performance_table:
 
 rule performance_figure:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=rules.performance_table.output,
         script=f"{SCRIPTS}/performance_figure.py",
         package=PACKAGE,

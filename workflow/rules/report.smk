@@ -7,7 +7,7 @@ REPORT_GROUPS = ["streamlines", "stokes", "stretching", "passages", "sensitivity
 
 rule report_data:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("run.h5", *REPORT_GROUPS),
         brackets=BRACKET_FILES,
         script=f"{SCRIPTS}/report_data.py",
@@ -30,7 +30,7 @@ rule report_data:
 
 rule report:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         tables=FLOW_TABLES + STRETCHING_TABLES + BOUNDARY_TABLES + PASSAGE_TABLES + SENSITIVITY_TABLES,
         figures=[name for name in FIGURE_FILES + EXTENT_FIGURES + ANIMATION_FILES if name.endswith((".png", ".gif"))],
         verdicts=rules.claims.output.csv,

@@ -1,30 +1,16 @@
 """Solver runs, one folder each, named by the hash of the resolved case.
 
-The solver and the plan are `ancient`: a run depends on its case alone, which its name identifies. A change
-of the solver that changes results raises `solver_model` in params/study.json, and with it every identity.
+The solver and the plan are `ancient`: a run depends on its case alone, which its name identifies. A change of
+the solver that changes results raises `solver_model` in params/study.json, and with it every identity. The
+plan is written when the Snakefile is read, if it has changed, and by no rule: Snakemake (9.27) looks no further
+than a job that it has to do, and would find a changed bracket behind the plan in its next run only.
 """
-
-
-rule plan:
-    input:
-        study=STUDY,
-        schemas=expand("workflow/schemas/{name}.schema.json", name=["study", "case"]),
-        script=f"{SCRIPTS}/write_plan.py",
-        package=PACKAGE,
-    output:
-        f"{RESULTS}/plan.json",
-    log:
-        f"{LOGS}/plan.log",
-    params:
-        tier=TIER,
-    shell:
-        "python {input.script} --study {input.study} --tier {params.tier} --output {output} 2> {log}"
 
 
 rule solve:
     input:
         dld=ancient(DLD),
-        plan=ancient(rules.plan.output[0]),
+        plan=ancient(PLAN_FILE),
         writer=ancient(f"{SCRIPTS}/write_case.py"),
         runner=ancient(f"{SCRIPTS}/run_case"),
     output:

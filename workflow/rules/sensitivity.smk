@@ -6,7 +6,7 @@ SENSITIVITY_TABLES = expand("{folder}/{name}.csv", folder=TABLES, name=["sensiti
 
 rule sensitivity_table:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("summary.json", "sensitivity", "sensitivity-flow") + of_runs("run.h5", "sensitivity"),
         boundary=rules.boundary_tables.output.boundary,
         script=f"{SCRIPTS}/sensitivity_table.py",
@@ -26,7 +26,7 @@ rule sensitivity_table:
 
 rule stage_times:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=ALL_RUNS,
         brackets=BRACKET_FILES + CONFIRMATION_FILES,
         script=f"{SCRIPTS}/stage_times.py",

@@ -12,7 +12,7 @@ rule stability:
 
 rule stability_table:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("summary.json", "stability"),
         script=f"{SCRIPTS}/stability_table.py",
         package=PACKAGE,
@@ -28,7 +28,7 @@ rule stability_table:
 
 rule stability_figure:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=f"{TABLES}/stability.csv",
         script=f"{SCRIPTS}/stability_figure.py",
         package=PACKAGE,
@@ -47,7 +47,7 @@ rule stability_figure:
 
 rule long_run_table:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("summary.json", "long-run") + of_runs("run.h5", "long-run"),
         script=f"{SCRIPTS}/stability_long_run_table.py",
         package=PACKAGE,
@@ -63,7 +63,7 @@ rule long_run_table:
 
 rule long_run_figure:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         table=f"{TABLES}/long_run.csv",
         script=f"{SCRIPTS}/stability_long_run_figure.py",
         package=PACKAGE,

@@ -8,7 +8,7 @@ STRETCHING_TABLES = expand(
 
 rule stretching_table:
     input:
-        plan=rules.plan.output,
+        plan=PLAN_FILE,
         runs=of_runs("summary.json", "stretching"),
         script=f"{SCRIPTS}/stretching_table.py",
         package=PACKAGE,
