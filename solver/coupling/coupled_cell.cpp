@@ -119,8 +119,9 @@ void CoupledCell<Real>::correct_kink() {
   velocities_ += model_.kink_mobility * (load_ - normal_part(load_, normals_));
 }
 
-/// A point at the distance r along the normal n of a moving point moves by r dn/dt relative to it. How n turns
-/// depends on the velocity that is looked for; a pass leaves of an error the share r / radius of curvature.
+/// A point at the distance r along the normal n of a moving point moves by r dn/dt relative to it. How n
+/// turns depends on the velocity that is looked for; a pass leaves of an error the share r / radius of
+/// curvature.
 template <class Real>
 void CoupledCell<Real>::add_turning() {
   constexpr int passes = 2;

@@ -26,8 +26,8 @@ struct CouplingModel {
   Kernel kernel = Kernel::phi4;
   double mobility =
       0.0;  ///< wanted for the sub-grid regularisation, velocity / force (see stable_mobility); 0: off
-  /// Tangential velocity that is given back for the spread force density at a node, dx^2 / eta (see kink_share
-  /// and jump_correction); 0: off.
+  /// Tangential velocity that is given back for the spread force density at a node, dx^2 / eta (see
+  /// kink_share and jump_correction); 0: off.
   double kink_mobility = 0.0;
   /// Distance (lattice spacings) into the cell of the points that carry the tangential part of spreading and
   /// interpolation (see jump_correction). The normal part stays at the membrane: it holds the pressure in the

@@ -110,8 +110,8 @@ struct JumpCorrection {
 /// zero leaves a difference to the velocity of the membrane that follows from the load alone:
 ///   t ((reach_outside + rounded_outside + c load_outside) / eta_outside
 ///      + (rounded_inside + c load_inside) / eta_inside),      c = lattice_kink_share,
-/// with t = F / (load_outside + load_inside). Ratio 1: no retraction, kink_share + c. Derived for a flat sheet
-/// in shear flow with a sharp jump.
+/// with t = F / (load_outside + load_inside). Ratio 1: no retraction, kink_share + c. Derived for a flat
+/// sheet in shear flow with a sharp jump.
 template <class Phi>
 JumpCorrection jump_correction(double viscosity_ratio, double magic_parameter) {
   double low = -Phi::width, high = Phi::width;  // of the retraction: one side has all of the load

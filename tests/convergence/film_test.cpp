@@ -1,6 +1,6 @@
 /// A flat membrane between two fluids and two walls under a load that varies along it, (f_t sin q x, 0,
-/// f_n cos q x), against the exact Stokes flow of the two layers: the film between a cell and a pillar with its
-/// shear, its pressure and its motion across. The coupling does what CoupledCell does.
+/// f_n cos q x), against the exact Stokes flow of the two layers: the film between a cell and a pillar with
+/// its shear, its pressure and its motion across. The coupling does what CoupledCell does.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -23,8 +23,8 @@ struct Motion {
 };
 
 /// In a layer u_z = w(z) cos q x with w = (a + b z) cosh q z + (c + d z) sinh q z, u_x = -(w'/q) sin q x and
-/// p = eta (w''' / q^2 - w') cos q x; w and w' vanish at the walls and are continuous at z = 0, where the load
-/// makes the stresses jump.
+/// p = eta (w''' / q^2 - w') cos q x; w and w' vanish at the walls and are continuous at z = 0, where the
+/// load makes the stresses jump.
 Motion exact_motion(double above, double below, double eta, double ratio, double q, Load load) {
   const auto row = [q](double z, int derivative) {  // of the four parts of w
     const bool even = derivative % 2 == 0;

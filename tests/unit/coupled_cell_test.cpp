@@ -70,7 +70,9 @@ TEST(CoupledCell, ProjectionKeepsTheVolumeInShear) {
     model.project_volume = project;
     CellRun run(size, unit_cell(size), {0.3, 0.2, 0.1}, model);
     run.lattice.set_uniform_force(0, 0, 0);
-    run.lattice.initialise([](int, int, int z) { return std::array<double, 3>{2.2e-3 * (z - 9.5), 0.0, 0.0}; });
+    run.lattice.initialise([](int, int, int z) {
+      return std::array<double, 3>{2.2e-3 * (z - 9.5), 0.0, 0.0};
+    });
     run.advance(1300);
     const Eigen::MatrixX3d& x = run.coupled->positions();
     EXPECT_GT((x - run.membrane.reference().vertices).rowwise().norm().maxCoeff(), 0.5);
