@@ -71,7 +71,7 @@ TEST(CoupledCell, ProjectionKeepsTheVolumeInShear) {
     CellRun run(size, unit_cell(size), {0.3, 0.2, 0.1}, model);
     run.lattice.set_uniform_force(0, 0, 0);
     run.lattice.initialise([](int, int, int z) {
-      return std::array<double, 3>{2.2e-3 * (z - 9.5), 0.0, 0.0};
+      return std::array<double, 3>{2.5e-3 * (z - 9.5), 0.0, 0.0};
     });
     run.advance(1300);
     const Eigen::MatrixX3d& x = run.coupled->positions();
