@@ -5,13 +5,6 @@
 #include "membrane/regularisation.hpp"
 
 namespace dld {
-namespace {
-
-Eigen::MatrixX3d normal_part(const Eigen::MatrixX3d& v, const Eigen::MatrixX3d& normals) {
-  return v.cwiseProduct(normals).rowwise().sum().asDiagonal() * normals;
-}
-
-}  // namespace
 
 template <class Real>
 CoupledCell<Real>::CoupledCell(Lattice<Real>& lattice, Membrane& membrane, const PillarArray& pillars,
@@ -110,7 +103,7 @@ void CoupledCell<Real>::interpolate_velocities() {
   boundary_.interpolate(velocities_);
   if (!tangential_boundary_) return;
   tangential_boundary_->interpolate(part_);
-  velocities_ = normal_part(velocities_, normals_) + part_ - normal_part(part_, normals_);
+  velocities_ = part_ + normal_part(velocities_ - part_, normals_);
 }
 
 template <class Real>

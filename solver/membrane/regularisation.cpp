@@ -44,22 +44,19 @@ double largest_tangential_stiffness(Membrane& membrane) {
   Eigen::MatrixX3d normal(x.rows(), 3);
   membrane.volume_gradient(x, normal);
   normal.rowwise().normalize();
-  const auto make_tangential = [&](Eigen::MatrixX3d& a) {
-    a -= normal.cwiseProduct(a).rowwise().sum().asDiagonal() * normal;
-  };
   const double step =
       1e-6 * std::sqrt(membrane.reference_area() / static_cast<double>(membrane.face_count()));
   // A start without symmetry, so that it has a share in every mode.
   Eigen::MatrixX3d mode(x.rows(), 3), forward(x.rows(), 3), backward(x.rows(), 3);
   for (Eigen::Index i = 0; i < mode.size(); ++i) mode(i) = std::sin(1.0 + 12.9898 * static_cast<double>(i));
-  make_tangential(mode);
+  mode -= normal_part(mode, normal);
   double stiffness = 0.0;
   for (int k = 0; k < iterations; ++k) {
     mode *= 1.0 / mode.rowwise().norm().maxCoeff();
     membrane.forces(x + step * mode, forward);
     membrane.forces(x - step * mode, backward);
     Eigen::MatrixX3d response = (backward - forward) / (2.0 * step);
-    make_tangential(response);
+    response -= normal_part(response, normal);
     stiffness = response.norm() / mode.norm();
     mode = response;
   }

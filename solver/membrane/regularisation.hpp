@@ -4,6 +4,11 @@
 
 namespace dld {
 
+/// Parts of the vectors v (nv x 3) along the normals of length one (nv x 3).
+inline Eigen::MatrixX3d normal_part(const Eigen::MatrixX3d& v, const Eigen::MatrixX3d& normals) {
+  return v.cwiseProduct(normals).rowwise().sum().asDiagonal() * normals;
+}
+
 /// Adds to v_add (nv x 3) the velocity by which each node relaxes within the surface, along the difference
 /// between its own tangential force and its neighbours',
 ///   v_i = (mobility / 6) P_i sum_j (P_i f_i - P_j f_j) - mean,   P = 1 - n n

@@ -34,12 +34,7 @@ SheetErrors sheet_errors(const SheetScene& scene, const JumpCorrection& correcti
     for (int j = 0; j < nodes; ++j) x.row(i * nodes + j) << 0.5 * i, 0.5 * j, scene.z - correction.retraction;
   }
   const double traction = 1e-4, eta = (model.relaxation_time - 0.5) / 3;
-  for (int z = 0; z < height && test::first_layer(size) + z < scene.z; ++z) {
-    for (int i = 0; i < width; ++i) {
-      for (int j = 0; j < width; ++j)
-        lattice.relaxation_time[lattice.layout().node(i, j, z)] = 0.5 + 3 * scene.ratio * eta;
-    }
-  }
+  test::set_relaxation_time_below(lattice, size, scene.z, 0.5 + 3 * scene.ratio * eta);
   f.rowwise() = Eigen::RowVector3d(0.25 * traction, 0, 0);
   ImmersedBoundary<double> boundary(lattice, Kernel::phi4, coupled_nodes(x, false));
   boundary.locate(x, std::vector<std::uint8_t>(static_cast<std::size_t>(x.rows()), 0));

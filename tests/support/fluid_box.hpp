@@ -52,6 +52,17 @@ inline UnitCell unit_cell(const BoxSize& size) {
   return unit_cell(size, -(size.nx / 2), -(size.ny / 2));
 }
 
+/// Gives the nodes of a box without pillar that lie below the height z the relaxation time tau.
+template <class Real>
+void set_relaxation_time_below(Lattice<Real>& lattice, const BoxSize& size, double z, double tau) {
+  for (int k = 0; k < size.nz && first_layer(size) + k < z; ++k) {
+    for (int i = 0; i < size.nx; ++i) {
+      for (int j = 0; j < size.ny; ++j)
+        lattice.relaxation_time[lattice.layout().node(i, j, k)] = static_cast<Real>(tau);
+    }
+  }
+}
+
 /// Calls function(x, y, z) at every fluid node.
 template <class Function>
 void for_fluid_nodes(const UnitCell& cell, Function&& function) {
