@@ -54,11 +54,11 @@ const std::vector<Preset>& presets() {
                   error};
   };
   static const std::vector<Preset> table = {
-      row("draft", lattice(0.4, 0.8, 4.4928e-4), 8, plain_coupling(2), {9.4, 16.0, {}}),
-      row("standard", lattice(0.4, 0.8, 2.2464e-4), 10, plain_coupling(2), {7.2, 30.0, 110.0}),
-      row("corrected", lattice(0.4, 0.8, 2.2464e-4), 10, corrected_coupling(0.25, 0.176), {}),
-      row("reference", lattice(0.2, 1.1, 1.1232e-4), 20, plain_coupling(1), {}),
-      row("corrected_reference", lattice(0.2, 1.1, 1.1232e-4), 20, corrected_coupling(0.5, 0.704), {}),
+      row("draft", lattice(0.4, 0.8, 4.4928e-4), 8, plain_coupling(2), {4.3, 6.7, {}}),
+      row("standard", lattice(0.4, 0.8, 2.2464e-4), 10, plain_coupling(2), {2.4, 18.0, 0}),
+      row("corrected", lattice(0.4, 0.8, 2.2464e-4), 10, corrected_coupling(0.25, 0.176), {2.8, 11.0, 0}),
+      row("reference", lattice(0.2, 1.1, 1.1232e-4), 20, plain_coupling(1), {2.2, 6.5, 0}),
+      row("corrected_reference", lattice(0.2, 1.1, 1.1232e-4), 20, corrected_coupling(0.5, 0.704), {2.1, 4.4, 0}),
   };
   return table;
 }
