@@ -238,9 +238,11 @@ void Lattice<Real>::apply(const LinkTable& table) {
   }
   for (const Copy& copy : table.copies) p[copy.destination] = p[copy.source];
   for (const Combination& link : table.combinations) {
-    const Real first = static_cast<Real>(link.weight[0]), second = static_cast<Real>(link.weight[1]);
+    const Real a = static_cast<Real>(link.weight[0]), b = static_cast<Real>(link.weight[1]),
+               c = static_cast<Real>(link.weight[2]);
     for (std::uint32_t layer = 0, shift = 0; layer < link.layers; ++layer, shift += layout_.row)
-      p[link.destination + shift] = first * p[link.source[0] + shift] + second * p[link.source[1] + shift];
+      p[link.destination + shift] =
+          a * p[link.source[0] + shift] + b * p[link.source[1] + shift] + c * p[link.source[2] + shift];
   }
   for (const Addition& link : table.additions) p[link.destination] += static_cast<Real>(link.constant);
 }

@@ -56,7 +56,12 @@ struct StreamingPlaces {
 };
 StreamingPlaces streaming_places(const UnitCell& cell, const LatticeLayout& layout);
 
-enum class WallModel { half_way, interpolated };
+/// half_way: bounce-back, the wall half way along each link. interpolated: linear interpolated bounce-back
+/// (Bouzidi, Firdaouss and Lallemand 2001), whose wall moves with the relaxation time. central_linear
+/// (Ginzburg, Verhaeghe and d'Humieres 2008, CLI): exact for linear flow wherever the wall cuts the link, and
+/// with two relaxation times at a fixed magic parameter a steady Stokes flow does not depend on the
+/// viscosity.
+enum class WallModel { half_way, interpolated, central_linear };
 
 /// Velocity of the top and bottom walls along x (Couette flow), lattice units.
 struct WallMotion {
@@ -77,8 +82,8 @@ struct Copy {
 /// all layers alike. Places of the next layer are one row further.
 struct Combination {
   std::uint32_t destination;
-  std::array<std::uint32_t, 2> source;
-  std::array<double, 2> weight;
+  std::array<std::uint32_t, 3> source;
+  std::array<double, 3> weight;
   std::uint32_t layers = 1;
 };
 

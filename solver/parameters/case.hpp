@@ -24,7 +24,7 @@ struct FluidParameters {
   std::string collision = "trt";       ///< "bgk" | "trt"
   double magic_parameter = 0.1875;     ///< Lambda of TRT
   std::string equilibrium = "stokes";  ///< "full" | "stokes" (quadratic terms dropped)
-  std::string walls = "interpolated";  ///< pillar surface: "half_way" | "interpolated"
+  std::string walls = "interpolated";  ///< pillar surface: "half_way" | "interpolated" | "central_linear"
   double relaxation_time = 0.8;        ///< tau of the suspending fluid; nu = (tau - 1/2) / 3
   double force_density = 2.2464e-4;    ///< along x, lattice units at lattice_spacing_um
   std::string lateral_flow = "free";   ///< "free" | "blocked" (mean u_y held at zero)

@@ -31,8 +31,9 @@ Json corrected_coupling(double range, double strength) {
           {"steps_per_update", 1}};
 }
 
-Json lattice(double spacing_um, double relaxation_time, double force_density) {
+Json lattice(double spacing_um, const char* walls, double relaxation_time, double force_density) {
   return {{"lattice_spacing_um", spacing_um},
+          {"walls", walls},
           {"relaxation_time", relaxation_time},
           {"force_density", force_density}};
 }
@@ -55,12 +56,13 @@ const std::vector<Preset>& presets() {
                   error};
   };
   static const std::vector<Preset> table = {
-      row("draft", lattice(0.4, 0.8, 4.4928e-4), 8, plain_coupling(2), {4.3, 6.7, {}}),
-      row("standard", lattice(0.4, 0.8, 2.2464e-4), 10, plain_coupling(2), {2.4, 18.0, 52.0}),
-      row("corrected", lattice(0.4, 0.8, 2.2464e-4), 10, corrected_coupling(0.25, 0.176), {2.8, 11.0, 15.0}),
-      row("reference", lattice(0.2, 1.1, 1.1232e-4), 20, plain_coupling(1), {2.2, 6.5, 15.0}),
-      row("corrected_reference", lattice(0.2, 1.1, 1.1232e-4), 20, corrected_coupling(0.5, 0.704),
-          {2.1, 4.4, {}}),
+      row("draft", lattice(0.4, "interpolated", 0.8, 4.4928e-4), 8, plain_coupling(2), {4.3, 6.7, {}}),
+      row("standard", lattice(0.4, "interpolated", 0.8, 2.2464e-4), 10, plain_coupling(2), {2.4, 18.0, 52.0}),
+      row("corrected", lattice(0.4, "central_linear", 1.5, 3.744e-4), 10, corrected_coupling(0.25, 0.176),
+          {2.8, 11.0, 15.0}),
+      row("reference", lattice(0.2, "interpolated", 1.1, 1.1232e-4), 20, plain_coupling(1), {2.2, 6.5, 15.0}),
+      row("corrected_reference", lattice(0.2, "central_linear", 2.5, 1.872e-4), 20,
+          corrected_coupling(0.5, 0.704), {2.1, 4.4, {}}),
   };
   return table;
 }

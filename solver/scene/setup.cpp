@@ -31,7 +31,9 @@ FluidModel make_fluid_model(const Case& c) {
   FluidModel model;
   model.collision = c.fluid.collision == "bgk" ? CollisionModel::bgk : CollisionModel::trt;
   model.equilibrium = c.fluid.equilibrium == "full" ? EquilibriumModel::full : EquilibriumModel::stokes;
-  model.walls = c.fluid.walls == "interpolated" ? WallModel::interpolated : WallModel::half_way;
+  model.walls = c.fluid.walls == "half_way"       ? WallModel::half_way
+                : c.fluid.walls == "interpolated" ? WallModel::interpolated
+                                                  : WallModel::central_linear;
   model.magic_parameter = c.fluid.magic_parameter;
   model.relaxation_time = c.fluid.relaxation_time;
   return model;

@@ -188,9 +188,13 @@ class NaiveFluid {
     if (!solid(from.x, from.y)) return post_at(i, from);
     if (model_.walls == WallModel::half_way) return back;
     const double q = wall_share(x, y, direction(out));
-    if (q >= 0.5) return back / (2 * q) + (1 - 1 / (2 * q)) * post_[index(x, y, z)][slot(i)];
+    const double away = post_[index(x, y, z)][slot(i)];
+    const bool central = model_.walls == WallModel::central_linear;
+    if (!central && q >= 0.5) return back / (2 * q) + (1 - 1 / (2 * q)) * away;
     const Place behind = place(x + c.x, y + c.y, z + c.z);
     if (behind.wall || solid(behind.x, behind.y)) return back;
+    const double cut = std::max(q, 0.1);  // no wall is nearer to a node than that
+    if (central) return back + (1 - 2 * cut) / (1 + 2 * cut) * (post_at(out, behind) - away);
     return 2 * q * back + (1 - 2 * q) * post_at(out, behind);
   }
 

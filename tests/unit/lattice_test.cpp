@@ -30,7 +30,7 @@ std::vector<Combination> combinations() {
   std::vector<Combination> all;
   for (auto collision : {CollisionModel::bgk, CollisionModel::trt})
     for (auto equilibrium : {EquilibriumModel::full, EquilibriumModel::stokes})
-      for (auto walls : {WallModel::half_way, WallModel::interpolated})
+      for (auto walls : {WallModel::half_way, WallModel::interpolated, WallModel::central_linear})
         for (auto height : {HeightBoundary::walls, HeightBoundary::mirror_and_wall, HeightBoundary::periodic})
           for (bool local : {false, true})
             all.push_back({collision, equilibrium, walls, height, local, local});
@@ -41,7 +41,9 @@ std::string name_of(const testing::TestParamInfo<Combination>& info) {
   const Combination& c = info.param;
   std::string name = c.collision == CollisionModel::bgk ? "Bgk" : "Trt";
   name += c.equilibrium == EquilibriumModel::full ? "Full" : "Stokes";
-  name += c.walls == WallModel::half_way ? "HalfWay" : "Interpolated";
+  name += c.walls == WallModel::half_way       ? "HalfWay"
+          : c.walls == WallModel::interpolated ? "Interpolated"
+                                               : "CentralLinear";
   name += c.height == HeightBoundary::walls      ? "Walls"
           : c.height == HeightBoundary::periodic ? "Periodic"
                                                  : "Mirror";
@@ -216,7 +218,7 @@ TEST(Lattice, MovingTheOriginByAWholeVectorChangesNothing) {
 }
 
 TEST(Lattice, MirroredHalfIsTheFullHeight) {
-  for (auto walls : {WallModel::half_way, WallModel::interpolated}) {
+  for (auto walls : {WallModel::half_way, WallModel::interpolated, WallModel::central_linear}) {
     FluidModel model = full_interpolated();
     model.walls = walls;
     BoxSize size{20, 21, 8, 6.0, 6, HeightBoundary::walls};

@@ -23,8 +23,10 @@ LinkTable joined(const std::vector<LinkTable>& planes, const LatticeLayout& layo
     all.copies.insert(all.copies.end(), table.copies.begin(), table.copies.end());
     for (const Combination& c : table.combinations) {
       for (std::uint32_t shift = 0; shift < c.layers * layout.row; shift += layout.row)
-        all.combinations.push_back(
-            {c.destination + shift, {c.source[0] + shift, c.source[1] + shift}, c.weight, 1});
+        all.combinations.push_back({c.destination + shift,
+                                    {c.source[0] + shift, c.source[1] + shift, c.source[2] + shift},
+                                    c.weight,
+                                    1});
     }
     all.additions.insert(all.additions.end(), table.additions.begin(), table.additions.end());
   }
@@ -80,7 +82,7 @@ TEST(Links, EveryLinkThatLeavesTheFluidIsServedOnce) {
   for (const BoxSize& size : boxes()) {
     const UnitCell cell = unit_cell(size);
     const LatticeLayout layout(cell.nx, cell.ny, cell.nz);
-    for (auto model : {WallModel::half_way, WallModel::interpolated}) {
+    for (auto model : {WallModel::half_way, WallModel::interpolated, WallModel::central_linear}) {
       const LinkTables tables = build_links(cell, layout, model, {});
       for (const LinkTable& table : {joined(tables.before, layout), joined(tables.after, layout)}) {
         const auto written = destinations(table);
@@ -96,14 +98,16 @@ TEST(Links, EveryLinkThatLeavesTheFluidIsServedOnce) {
 TEST(Links, CombinationsHaveUnitSum) {
   const UnitCell cell = unit_cell(boxes()[0]);
   const LatticeLayout layout(cell.nx, cell.ny, cell.nz);
-  const LinkTables tables = build_links(cell, layout, WallModel::interpolated, {});
-  const LinkTable before = joined(tables.before, layout);
-  EXPECT_GT(before.combinations.size(), 100u);
-  EXPECT_EQ(before.combinations.size(), joined(tables.after, layout).combinations.size());
-  for (const Combination& c : before.combinations) {
-    EXPECT_NEAR(c.weight[0] + c.weight[1], 1.0, 1e-14);
-    EXPECT_GT(c.weight[0], 0.0);
-    EXPECT_LE(c.weight[0], 1.0 + 1e-14);
+  for (auto model : {WallModel::interpolated, WallModel::central_linear}) {
+    const LinkTables tables = build_links(cell, layout, model, {});
+    const LinkTable before = joined(tables.before, layout);
+    EXPECT_GT(before.combinations.size(), 100u);
+    EXPECT_EQ(before.combinations.size(), joined(tables.after, layout).combinations.size());
+    for (const Combination& c : before.combinations) {
+      EXPECT_NEAR(c.weight[0] + c.weight[1] + c.weight[2], 1.0, 1e-14);
+      EXPECT_GT(c.weight[0], 0.0);
+      EXPECT_LE(c.weight[0], 1.0 + 1e-14);
+    }
   }
   const LinkTables half_way = build_links(cell, layout, WallModel::half_way, {});
   EXPECT_TRUE(joined(half_way.before, layout).combinations.empty());
