@@ -57,10 +57,10 @@ struct StreamingPlaces {
 StreamingPlaces streaming_places(const UnitCell& cell, const LatticeLayout& layout);
 
 /// half_way: bounce-back, the wall half way along each link. interpolated: linear interpolated bounce-back
-/// (Bouzidi, Firdaouss and Lallemand 2001), whose wall moves with the relaxation time. central_linear
-/// (Ginzburg, Verhaeghe and d'Humieres 2008, CLI): exact for linear flow wherever the wall cuts the link, and
-/// with two relaxation times at a fixed magic parameter a steady Stokes flow does not depend on the
-/// viscosity.
+/// (Bouzidi, Firdaouss and Lallemand 2001). central_linear: central linear interpolation (Ginzburg, Verhaeghe
+/// and d'Humieres 2008). The latter two are exact for linear flow wherever the wall cuts the link; beyond
+/// that the interpolated wall moves with the relaxation time, the central one does not (at a fixed magic
+/// parameter).
 enum class WallModel { half_way, interpolated, central_linear };
 
 /// Velocity of the top and bottom walls along x (Couette flow), lattice units.

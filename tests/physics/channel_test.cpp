@@ -98,5 +98,46 @@ TEST(StokesFlow, VelocityIsProportionalToTheForce) {
   for (const double f : {1e-9, 1e-4, 1e-2}) EXPECT_NEAR(velocity_over_force(f) / reference, 1, 1e-10);
 }
 
+/// A force on the middle plane of a channel shears the fluid on both sides of it: u = F / (2 nu) (W/2 - |y|).
+/// Largest error beside the loaded plane, relative to the velocity in the middle. nz = 1: periodic in z.
+double linear_flow_error(double width, const FluidModel& model) {
+  UnitCell cell;
+  cell.nx = 2, cell.ny = 15, cell.nz = 1;
+  cell.height = HeightBoundary::periodic;
+  cell.origin_y = -7;
+  cell.distance = [width](double, double y, double) { return 0.5 * width - std::abs(y); };
+  mark_solid(cell, true);
+  Lattice<double> lattice(cell, model);
+  for (int x = 0; x < cell.nx; ++x) lattice.force[0][lattice.layout().node(x, 7, 0)] = force;
+  const std::vector<ActiveRange> middle(2, ActiveRange{7, 1});
+  std::fill(lattice.relaxation_time.begin(), lattice.relaxation_time.end(), model.relaxation_time);
+  for (int k = 0; k < 20000; ++k) lattice.step(middle);
+  const double slope = force / (2 * viscosity(model));
+  double largest = 0;
+  for (int j = 0; j < cell.ny; ++j) {
+    const double y = cell.origin_y + j;
+    if (cell.is_solid(0, j, 0) || y == 0) continue;
+    const double error = lattice.moments(0, j, 0)[1] / slope - (0.5 * width - std::abs(y));
+    largest = std::max(largest, std::abs(error) / (0.5 * width));
+  }
+  return largest;
+}
+
+TEST(PlaneChannel, LinearFlowIsExactWhereverAnInterpolatedWallCutsTheLinks) {
+  for (const auto walls : {WallModel::interpolated, WallModel::central_linear}) {
+    for (const double width : {10.3, 10.9, 11.4, 11.9}) {
+      for (const double tau : {0.8, 1.5}) {
+        FluidModel model;
+        model.walls = walls;
+        model.relaxation_time = tau;
+        EXPECT_LT(linear_flow_error(width, model), 1e-10) << width << ", tau " << tau;
+      }
+    }
+  }
+  FluidModel half_way;
+  half_way.walls = WallModel::half_way;
+  EXPECT_GT(linear_flow_error(10.3, half_way), 1e-2);
+}
+
 }  // namespace
 }  // namespace dld
