@@ -61,7 +61,7 @@ const std::vector<Preset>& presets() {
       row("corrected", lattice(0.4, "central_linear", 1.5, 3.744e-4), 10, corrected_coupling(0.25, 0.176),
           {2.8, 11.0, 15.0}),
       row("reference", lattice(0.2, "interpolated", 1.1, 1.1232e-4), 20, plain_coupling(1), {2.2, 6.5, 15.0}),
-      row("corrected_reference", lattice(0.2, "central_linear", 2.0, 1.872e-4), 20,
+      row("corrected_reference", lattice(0.2, "central_linear", 1.6, 1.1232e-4), 20,
           corrected_coupling(0.5, 0.704), {2.1, 4.4, {}}),
   };
   return table;
