@@ -22,6 +22,18 @@ void report(const char* what, const test::SceneResult& r) {
               number(r, "d_perp_um"), number(r, "centre_um"), number(r, "film_um"));
 }
 
+/// A stiff cell in contact, at twice the force density of the preset. Without a least distance of central
+/// linear walls from a node the fluid becomes unstable between membrane and pillar (about step 14,000).
+TEST(PassageControl, CentralLinearWallsAreStableBesideAMembrane) {
+  const Case c = test::case_of(R"({"scene": "passage", "accuracy": "corrected",
+      "geometry": {"row_shift_um": 4.4}, "cell": {"capillary_number": 0.1}, "output": {"flow_field": false},
+      "fluid": {"relaxation_time": 1.4, "force_density": 6.7392e-4}, "stop": {"max_steps": 16000}})");
+  const test::SceneResult result = test::run_scene(c);
+  report("stiff cell in contact", result);
+  EXPECT_NE(result.status, Status::diverged);
+  EXPECT_LT(number(result, "film_um"), 0.2);  // it was there
+}
+
 TEST(PassageControl, SlowFullHeightKeepsTheSymmetricSolution) {
   const test::SceneResult half = test::run_scene(contact_case());
   Case c = contact_case();
