@@ -105,27 +105,29 @@ class LinkBuilder {
     copy(to, population(out, x, y, z));
   }
 
-  /// Interpolated bounce-back of either model. Returns false where the second node on the link is not fluid:
-  /// the caller then falls back to the half-way wall.
+  /// Interpolated bounce-back of either model. Returns false where the second node on the link is needed and
+  /// not fluid: the caller then falls back to the half-way wall.
   bool add_interpolated(const Population& to, int x, int y, int z, int i) {
     const int out = opposite(i);
     const auto v = velocity(out);
     const double q = cell_.wall_fraction(x, y, z, v.x, v.y, v.z);
+    const bool looks_behind = model_ == WallModel::central_linear || q < 0.5;
+    if (looks_behind && !fluid(x - v.x, y - v.y, z - v.z)) return false;
     const Population here = population(out, x, y, z), back = population(i, x, y, z);
-    const bool central = model_ == WallModel::central_linear;
-    if (!central && q >= 0.5) {
-      combine(to, {here, back, back}, {0.5 / q, 1.0 - 0.5 / q, 0.0});
-      return true;
-    }
-    if (!fluid(x - v.x, y - v.y, z - v.z)) return false;
-    const Population behind = image_population(out, x - v.x, y - v.y, z - v.z);
-    const double cut = std::max(q, nearest_cut), share = (1.0 - 2.0 * cut) / (1.0 + 2.0 * cut);
-    if (central) {
-      combine(to, {here, behind, back}, {1.0, share, -share});
-    } else {
-      combine(to, {here, behind, behind}, {2.0 * q, 1.0 - 2.0 * q, 0.0});
-    }
+    const Population second = looks_behind ? image_population(out, x - v.x, y - v.y, z - v.z) : back;
+    combine(to, {here, second, back}, interpolation_weights(q));
     return true;
+  }
+
+  /// Weights of f*_out, of the same at the node behind (interpolated, q >= 1/2: of f*_i) and of f*_i; q is
+  /// the distance of the wall in link lengths.
+  std::array<double, 3> interpolation_weights(double q) const {
+    if (model_ == WallModel::central_linear) {
+      const double cut = std::max(q, nearest_cut), share = (1.0 - 2.0 * cut) / (1.0 + 2.0 * cut);
+      return {1.0, share, -share};
+    }
+    if (q < 0.5) return {2.0 * q, 1.0 - 2.0 * q, 0.0};
+    return {0.5 / q, 1.0 - 0.5 / q, 0.0};
   }
 
   void copy(const Population& to, const Population& from) {

@@ -45,7 +45,7 @@ Json lattice(double spacing_um, const char* walls, double relaxation_time, doubl
 // `reference` keeps its Reynolds number on the finer lattice, where tau - 1/2 grows and the force density
 // falls with the number of nodes. The corrected kernel resolves a film that interpolated walls would squeeze:
 // central linear walls, and for these tau is free, so that it takes the inertia down (a seventh of that of
-// `standard`, with twice the steps). Beyond tau 2 at 0.2 um a passage became unstable. Errors: the section
+// `standard`, with twice the steps). At tau 2.5 and 0.2 um a passage became unstable. Errors: the section
 // Presets of results/accuracy_conclusions.md; the critical Ca has not been bracketed with these settings.
 const std::vector<Preset>& presets() {
   const auto row = [](const char* name, Json fluid, int mesh_frequency, Json coupling, ExpectedError error) {

@@ -22,8 +22,9 @@ void report(const char* what, const test::SceneResult& r) {
               number(r, "d_perp_um"), number(r, "centre_um"), number(r, "film_um"));
 }
 
-/// A stiff cell in contact, at twice the force density of the preset. Without a least distance of central
-/// linear walls from a node the fluid becomes unstable between membrane and pillar (about step 14,000).
+/// A stiff cell in contact, at nearly twice the force density of the preset. Without a least distance of
+/// central linear walls from a node the fluid becomes unstable between membrane and pillar (about step
+/// 14,000).
 TEST(PassageControl, CentralLinearWallsAreStableBesideAMembrane) {
   const Case c = test::case_of(R"({"scene": "passage", "accuracy": "corrected",
       "geometry": {"row_shift_um": 4.4}, "cell": {"capillary_number": 0.1}, "output": {"flow_field": false},
