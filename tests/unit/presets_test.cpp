@@ -67,7 +67,7 @@ TEST(Presets, AreAnnotationsOfTheSchema) {
 
 // Their contact is a length, not a number of lattice spacings.
 TEST(Presets, HoldTheContactOfTheCorrectedKernelAtATenthOfAMicrometre) {
-  for (const auto* name : {"corrected", "corrected_reference"}) {
+  for (const auto* name : {"corrected", "reference"}) {
     const Case c = with_accuracy(name);
     const double range = c.coupling.repulsion_range, standard = CouplingParameters{}.pillar_repulsion;
     EXPECT_NEAR(range * c.fluid.lattice_spacing_um, 0.1, 1e-12) << name;

@@ -98,12 +98,21 @@ def sensitivity(tier):
             yield "sensitivity-flow", labels, merged(overlay, flow)
 
 
+def _settings_of(method, part):
+    """{setting: case} of a method: of the one it `extends`, of the ladder, and its own on top."""
+    entry = part["methods"][method]
+    settings = _settings_of(entry["extends"], part) if "extends" in entry else {}
+    settings |= {name: part["ladder"][name] for name in entry.get("ladder", [])}
+    return settings | {
+        name: merged(settings.get(name, {}), case) for name, case in entry.get("settings", {}).items()
+    }
+
+
 def accuracy(tier):
     """Every method with all its settings at the points of the accuracy studies."""
     for study, part in tier["accuracy"]["studies"].items():
         for method, entry in part["methods"].items():
-            settings = {name: part["ladder"][name] for name in entry.get("ladder", [])}
-            settings |= entry.get("settings", {})
+            settings = _settings_of(method, part)
             for (setting, how), (point, where) in product(settings.items(), part["points"].items()):
                 labels = {"study": study, "method": method, "setting": setting, "point": point}
                 yield f"accuracy-{study}", labels, merged(part["case"], how, entry["case"], where)
