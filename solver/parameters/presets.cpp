@@ -61,7 +61,8 @@ const std::vector<Preset>& presets() {
       row("corrected", lattice(0.4, "central_linear", 1.5, 3.744e-4), 10, corrected_coupling(0.25, 0.176),
           {3.3, 10.0, {}}),
       row("refined", lattice(0.2, "interpolated", 1.1, 1.1232e-4), 20, plain_coupling(1), {7.5, 11.0, {}}),
-      row("reference", lattice(0.2, "central_linear", 1.6, 1.1232e-4), 20, corrected_coupling(0.5, 0.704), {0.9, 2.4, {}}),
+      row("reference", lattice(0.2, "central_linear", 1.6, 1.1232e-4), 20, corrected_coupling(0.5, 0.704),
+          {0.9, 2.4, {}}),
   };
   return table;
 }
