@@ -25,11 +25,8 @@ CoupledCell<Real>::CoupledCell(Lattice<Real>& lattice, Membrane& membrane, const
       velocities_(Eigen::MatrixX3d::Zero(positions_.rows(), 3)),
       forces_(Eigen::MatrixX3d::Zero(positions_.rows(), 3)),
       gradient_(Eigen::MatrixX3d::Zero(positions_.rows(), 3)),
-      part_(Eigen::MatrixX3d::Zero(positions_.rows(), 3)),
       load_(Eigen::MatrixX3d::Zero(positions_.rows(), 3)),
       near_solid_(static_cast<std::size_t>(positions_.rows()), 0) {
-  if (model_.tangential_retraction != 0.0)
-    tangential_boundary_.emplace(lattice, model.kernel, boundary_.nodes());
   // Both limits are those of one update.
   const double steps = model_.steps_per_update;
   model_.mobility = stable_mobility(membrane_, steps * model_.mobility) / steps;
@@ -52,22 +49,20 @@ void CoupledCell<Real>::load_fluid() {
   if (external_forces.rows() == forces_.rows()) forces_ += external_forces;
   add_repulsion();
   if (steps_ / model_.steps_per_update % model_.viscosity_update_interval == 0) viscosity_.update(positions_);
-  if (model_.retraction > 0.0 || model_.kink_mobility > 0.0 || tangential_boundary_)
-    normals_ = gradient_.rowwise().normalized();
+  if (model_.retraction > 0.0 || model_.kink_mobility > 0.0) normals_ = gradient_.rowwise().normalized();
   if (model_.retraction > 0.0) {
     points_ = positions_ - model_.retraction * normals_;
     boundary_.locate(points_, near_solid_);
   } else {
     boundary_.locate(positions_, near_solid_);
   }
-  spread_forces();
+  boundary_.spread(forces_);
 }
 
 template <class Real>
 void CoupledCell<Real>::move() {
-  interpolate_velocities();
+  boundary_.interpolate(velocities_);
   if (model_.kink_mobility > 0.0) correct_kink();
-  if (tangential_boundary_) add_turning();
   boundary_.clear_force();
   if (model_.mobility > 0.0) {
     tangential_relaxation(membrane_, forces_, gradient_, model_.mobility, velocities_);
@@ -85,46 +80,9 @@ void CoupledCell<Real>::move() {
 }
 
 template <class Real>
-void CoupledCell<Real>::spread_forces() {
-  if (!tangential_boundary_) {
-    boundary_.spread(forces_);
-    return;
-  }
-  points_ = positions_ - model_.tangential_retraction * normals_;
-  tangential_boundary_->locate(points_, near_solid_);
-  part_ = normal_part(forces_, normals_);
-  boundary_.spread(part_);
-  part_ = forces_ - part_;
-  tangential_boundary_->spread(part_);
-}
-
-template <class Real>
-void CoupledCell<Real>::interpolate_velocities() {
-  boundary_.interpolate(velocities_);
-  if (!tangential_boundary_) return;
-  tangential_boundary_->interpolate(part_);
-  velocities_ = part_ + normal_part(velocities_ - part_, normals_);
-}
-
-template <class Real>
 void CoupledCell<Real>::correct_kink() {
-  (tangential_boundary_ ? *tangential_boundary_ : boundary_).interpolate_force(load_);
+  boundary_.interpolate_force(load_);
   velocities_ += model_.kink_mobility * (load_ - normal_part(load_, normals_));
-}
-
-/// A point at the distance r along the normal n of a moving point moves by r dn/dt relative to it. How n
-/// turns depends on the velocity that is looked for; a pass leaves of an error the share r / radius of
-/// curvature.
-template <class Real>
-void CoupledCell<Real>::add_turning() {
-  constexpr int passes = 2;
-  const double steps = model_.steps_per_update;
-  const Eigen::MatrixX3d inside = velocities_;
-  for (int pass = 0; pass < passes; ++pass) {
-    points_ = positions_ + steps * velocities_;
-    membrane_forces_.volume_gradient(points_, part_);
-    velocities_ = inside + model_.tangential_retraction / steps * (part_.rowwise().normalized() - normals_);
-  }
 }
 
 template <class Real>

@@ -10,7 +10,6 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "coupling/immersed_boundary.hpp"
@@ -27,12 +26,8 @@ struct CouplingModel {
   double mobility =
       0.0;  ///< wanted for the sub-grid regularisation, velocity / force (see stable_mobility); 0: off
   /// Tangential velocity that is given back for the spread force density at a node, dx^2 / eta (see
-  /// kink_share and jump_correction); 0: off.
+  /// kernel_correction); 0: off.
   double kink_mobility = 0.0;
-  /// Distance (lattice spacings) into the cell of the points that carry the tangential part of spreading and
-  /// interpolation (see jump_correction). The normal part stays at the membrane: it holds the pressure in the
-  /// film, which must not act further in than the film reaches.
-  double tangential_retraction = 0.0;
   int steps_per_update = 1;  ///< fluid steps for one update of the membrane
   /// Distance (lattice spacings) by which the points of spreading and interpolation lie inside the membrane.
   /// A kernel makes a surface act as if it stood further out by a fixed share of a spacing, an error of first
@@ -88,10 +83,7 @@ class CoupledCell {
   void load_fluid();
   /// Moves the membrane with the fluid over the steps since the last update.
   void move();
-  void spread_forces();
-  void interpolate_velocities();
   void correct_kink();
-  void add_turning();
   void add_repulsion();
   void project_volume();
 
@@ -101,13 +93,11 @@ class CoupledCell {
   const PillarArray& pillars_;
   CouplingModel model_;
   ImmersedBoundary<Real> boundary_;
-  std::optional<ImmersedBoundary<Real>> tangential_boundary_;  ///< of the points of the tangential retraction
   ViscosityField<Real> viscosity_;
   Eigen::MatrixX3d positions_, velocities_, forces_;
   Eigen::MatrixX3d gradient_;  ///< of volume_
   Eigen::MatrixX3d normals_;   ///< outward, of length one
   Eigen::MatrixX3d points_;    ///< of the coupling, where they are not the nodes
-  Eigen::MatrixX3d part_;      ///< tangential or normal part of forces or velocities
   Eigen::MatrixX3d load_;      ///< spread force density at the nodes
   std::vector<std::uint8_t> near_solid_;
   double volume_ = 0.0;  ///< of the cell at positions_, before they move

@@ -122,9 +122,9 @@ std::vector<Declaration> cell() {
 std::vector<Declaration> coupling_and_stop() {
   return {
       {"coupling", "kernel", at<&Case::coupling, &U::kernel>,
-       one_of({"phi2", "phi3", "phi4", "phi4_corrected", "phi4_jump"}), "",
+       one_of({"phi2", "phi3", "phi4", "phi4_corrected"}), "",
        "immersed-boundary kernel of 2, 3 or 4 points; phi4_corrected gives back what it takes from the "
-       "velocity in a fluid of the mean viscosity, phi4_jump in the two fluids"},
+       "velocity in a fluid of the mean viscosity"},
       {"coupling", "regularisation", at<&Case::coupling, &U::regularisation>, one_of({"none", "tangential"}),
        "", "cure of mesh modes below the lattice spacing"},
       {"coupling", "regularisation_strength", at<&Case::coupling, &U::regularisation_strength>,

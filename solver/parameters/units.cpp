@@ -48,11 +48,9 @@ LatticeParameters to_lattice(const Case& c) {
   l.repulsion_strength = c.coupling.pillar_repulsion * stress;
   l.wall_repulsion_strength = c.coupling.wall_repulsion * stress;
   const double odd = c.fluid.relaxation_time - 0.5;
-  const JumpCorrection correction =
-      kernel_correction(c.coupling.kernel, c.cell.viscosity_ratio,
-                        c.fluid.collision == "bgk" ? odd * odd : c.fluid.magic_parameter);
-  l.kink_mobility = correction.share / l.viscosity;
-  l.tangential_retraction = correction.retraction;
+  l.kink_mobility = kernel_correction(c.coupling.kernel, c.cell.viscosity_ratio,
+                                      c.fluid.collision == "bgk" ? odd * odd : c.fluid.magic_parameter) /
+                    l.viscosity;
   return l;
 }
 

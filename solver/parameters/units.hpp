@@ -25,8 +25,8 @@ struct LatticeParameters {
   double global_area_modulus = 0;                              ///< kA
   double volume_modulus = 0;                                   ///< kV
   double repulsion_strength = 0, wall_repulsion_strength = 0;  ///< K, lu of force
-  double kink_mobility = 0, tangential_retraction = 0;  ///< of the corrected kernels (see CouplingModel)
-  double um_per_lu = 0;                                 ///< dx in um
+  double kink_mobility = 0;  ///< of the corrected kernel (see CouplingModel)
+  double um_per_lu = 0;      ///< dx in um
 };
 
 LatticeParameters to_lattice(const Case& c);

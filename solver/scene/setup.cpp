@@ -56,7 +56,6 @@ CouplingModel make_coupling_model(const Case& c) {
   CouplingModel model;
   model.kernel = kernel_by_name(c.coupling.kernel);
   model.kink_mobility = l.kink_mobility;
-  model.tangential_retraction = l.tangential_retraction;
   model.mobility =
       c.coupling.regularisation == "tangential" ? c.coupling.regularisation_strength / l.viscosity : 0.0;
   model.steps_per_update = c.coupling.steps_per_update;

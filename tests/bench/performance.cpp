@@ -245,7 +245,7 @@ void all() {
     whole_step<Real>(1, half);
     whole_step<Real>(2, half);
   }
-  for (const std::string kernel : {"phi4", "phi4_corrected", "phi4_jump"}) {
+  for (const std::string kernel : {"phi4", "phi4_corrected"}) {
     CouplingParameters coupling;
     coupling.kernel = kernel;
     coupling.steps_per_update = 1;

@@ -21,8 +21,8 @@ struct SheetScene {
   double magic = 3.0 / 16, ratio = 1;
 };
 
-/// The load sits on points that lie by the retraction below the sheet, in the fluid of the other viscosity.
-SheetErrors sheet_errors(const SheetScene& scene, const JumpCorrection& correction) {
+/// share: what is given back, dx^2 F / eta.
+SheetErrors sheet_errors(const SheetScene& scene, double share) {
   constexpr int width = 4, nodes = 2 * width;  // two nodes for a spacing
   const int height = scene.height;
   const test::BoxSize size{width, width, height, 0, 0, HeightBoundary::walls};
@@ -31,7 +31,7 @@ SheetErrors sheet_errors(const SheetScene& scene, const JumpCorrection& correcti
   Lattice<double> lattice(test::unit_cell(size), model);
   Eigen::MatrixX3d x(nodes * nodes, 3), f(nodes * nodes, 3), u(nodes * nodes, 3), load(nodes * nodes, 3);
   for (int i = 0; i < nodes; ++i) {
-    for (int j = 0; j < nodes; ++j) x.row(i * nodes + j) << 0.5 * i, 0.5 * j, scene.z - correction.retraction;
+    for (int j = 0; j < nodes; ++j) x.row(i * nodes + j) << 0.5 * i, 0.5 * j, scene.z;
   }
   const double traction = 1e-4, eta = (model.relaxation_time - 0.5) / 3;
   test::set_relaxation_time_below(lattice, size, scene.z, 0.5 + 3 * scene.ratio * eta);
@@ -45,7 +45,7 @@ SheetErrors sheet_errors(const SheetScene& scene, const JumpCorrection& correcti
   boundary.interpolate_force(load);
   const double above = 0.5 * height - scene.z, below = 0.5 * height + scene.z;
   const double exact = traction / (eta / above + scene.ratio * eta / below);
-  const Eigen::MatrixX3d corrected = u + correction.share / eta * load;
+  const Eigen::MatrixX3d corrected = u + share / eta * load;
   EXPECT_LT((corrected.col(0).array() - corrected(0, 0)).abs().maxCoeff(), 1e-10 * exact);
   return {u(0, 0) / exact - 1, corrected(0, 0) / exact - 1,
           corrected.rightCols(2).cwiseAbs().maxCoeff() / exact};
@@ -54,11 +54,11 @@ SheetErrors sheet_errors(const SheetScene& scene, const JumpCorrection& correcti
 class Sheet : public testing::TestWithParam<double> {};
 
 TEST_P(Sheet, KernelAndLatticeTakeAFirstOrderShareThatIsGivenBack) {
-  const JumpCorrection correction{0, kink_share<Phi4>() + lattice_kink_share(GetParam())};
+  const double share = kernel_correction("phi4_corrected", 1, GetParam());
   for (const double place : {0.0, 0.23}) {
     std::vector<test::Level> plain, corrected;
     for (const int height : {8, 16, 32}) {
-      const SheetErrors e = sheet_errors({height, place * height, GetParam()}, correction);
+      const SheetErrors e = sheet_errors({height, place * height, GetParam()}, share);
       plain.push_back({double(height), e.plain});
       corrected.push_back({double(height), e.corrected});
       EXPECT_LT(e.across, 1e-12);
@@ -78,12 +78,13 @@ INSTANTIATE_TEST_SUITE_P(MagicParameter, Sheet, testing::Values(1.0 / 12, 3.0 / 
 class SheetWithJump : public testing::TestWithParam<double> {
  protected:
   /// Mean over places of the sheet between two lattice planes: where the jump stands is known to a spacing.
-  static SheetErrors mean_errors(int height, const JumpCorrection& correction) {
+  static SheetErrors mean_errors(int height) {
     constexpr int places = 4;
     SheetErrors mean;
     for (int n = 0; n < places; ++n) {
-      const SheetErrors e =
-          sheet_errors({height, 0.3 * height + (n + 0.5) / places - 0.5, 3.0 / 16, GetParam()}, correction);
+      constexpr double magic = 3.0 / 16;
+      const SheetErrors e = sheet_errors({height, 0.3 * height + (n + 0.5) / places - 0.5, magic, GetParam()},
+                                         kernel_correction("phi4_corrected", GetParam(), magic));
       mean.plain += e.plain / places;
       mean.corrected += e.corrected / places;
       mean.across = std::max(mean.across, e.across);
@@ -92,26 +93,19 @@ class SheetWithJump : public testing::TestWithParam<double> {
   }
 };
 
-TEST_P(SheetWithJump, AJumpOfTheViscosityIsGivenBack) {
-  const double ratio = GetParam();
-  const JumpCorrection jump = jump_correction<Phi4>(ratio, 3.0 / 16);
-  std::vector<test::Level> plain, in_one_fluid, in_two_fluids;
+TEST_P(SheetWithJump, TheMeanViscosityGivesBackMostOfTheError) {
+  std::vector<test::Level> plain, corrected;
   for (const int height : {10, 20, 40}) {  // the kernel does not reach the wall
-    const SheetErrors mean = mean_errors(height, kernel_correction("phi4_corrected", ratio, 3.0 / 16));
-    const SheetErrors both = mean_errors(height, jump);
+    const SheetErrors mean = mean_errors(height);
     plain.push_back({double(height), mean.plain});
-    in_one_fluid.push_back({double(height), mean.corrected});
-    in_two_fluids.push_back({double(height), both.corrected});
-    EXPECT_LT(both.across, 1e-12);
+    corrected.push_back({double(height), mean.corrected});
+    EXPECT_LT(mean.across, 1e-12);
     EXPECT_LT(mean.plain, 0.0);
     EXPECT_LT(std::abs(mean.corrected), 0.6 * std::abs(mean.plain));
-    EXPECT_LT(std::abs(both.corrected), 0.06 * std::abs(mean.plain));
   }
-  std::printf("viscosity ratio %g, retraction %.3f\n", ratio, jump.retraction);
+  std::printf("viscosity ratio %g\n", GetParam());
   for (const double order : test::print_orders("sheet, plain", plain)) EXPECT_NEAR(order, 1.0, 0.3);
-  test::print_orders("sheet, share of the mean viscosity given back", in_one_fluid);
-  test::print_orders("sheet, shares of both viscosities given back", in_two_fluids);
-  EXPECT_LT(std::abs(in_two_fluids.back().error), 0.004);
+  test::print_orders("sheet, share of the mean viscosity given back", corrected);
 }
 
 INSTANTIATE_TEST_SUITE_P(ViscosityRatio, SheetWithJump, testing::Values(1.0, 2.0, 5.0, 10.0));

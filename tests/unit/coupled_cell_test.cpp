@@ -36,9 +36,8 @@ struct CellRun {
   static CouplingModel standard() {
     CouplingModel model;
     model.mobility = 0.6;
-    const JumpCorrection correction = jump_correction<Phi4>(5, FluidModel{}.magic_parameter);
-    model.kink_mobility = correction.share * 6;  // eta = 1/6 outside, 5/6 inside
-    model.tangential_retraction = correction.retraction;
+    // eta = 1/6 outside, 5/6 inside
+    model.kink_mobility = kernel_correction("phi4_corrected", 5, FluidModel{}.magic_parameter) * 6;
     model.pillar_repulsion = model.wall_repulsion = {5e-3, 1.0};
     model.tau_outside = 1.0;
     model.tau_inside = 3.0;
@@ -129,12 +128,10 @@ TEST(CoupledCell, RegularisationLeavesTheCentroid) {
 /// From the same deformed shape in a fluid at rest the corrected kernel adds a velocity within the surface,
 /// along the load on the whole, and in proportion to its mobility.
 TEST(CoupledCell, CorrectedKernelAddsAVelocityWithinTheSurface) {
-  CouplingModel in_one_fluid = CellRun::standard();
-  in_one_fluid.tangential_retraction = 0.0;
-  CellRun deformed(full_box, unit_cell(full_box), {start_x, start_y, 0}, in_one_fluid);
+  CellRun deformed(full_box, unit_cell(full_box), {start_x, start_y, 0});
   deformed.advance(400);
   const auto velocities = [&](double kink_mobility) {
-    CouplingModel model = in_one_fluid;
+    CouplingModel model = CellRun::standard();
     model.kink_mobility = kink_mobility;
     model.mobility = 0.0;
     model.project_volume = false;
@@ -161,27 +158,6 @@ TEST(CoupledCell, CorrectedKernelAddsAVelocityWithinTheSurface) {
   EXPECT_LT(once.cwiseProduct(normal).rowwise().sum().cwiseAbs().maxCoeff(), 1e-9 * size);
   EXPECT_LT((twice - 2 * once).cwiseAbs().maxCoeff(), 1e-9 * size);
   EXPECT_GT(once.cwiseProduct(forces).sum(), 0.0);
-}
-
-/// The points that carry the tangential part lie inside and turn more slowly than the membrane.
-TEST(CoupledCell, RetractedPointsTurnWithTheMembrane) {
-  const BoxSize size{20, 20, 20, 0, 0, HeightBoundary::walls};
-  CouplingModel model = CellRun::standard();
-  model.mobility = model.kink_mobility = 0.0;
-  model.project_volume = false;
-  CellRun run(size, unit_cell(size), {0.3, 0.2, 0.1}, model);
-  run.lattice.set_uniform_force(0, 0, 0);
-  const double rate = 1e-3;
-  run.lattice.initialise([&](int x, int y, int) {
-    return std::array<double, 3>{-rate * (y - 10.0), rate * (x - 10.0), 0.0};
-  });
-  const Eigen::MatrixX3d x = run.coupled->positions();
-  run.coupled->step();
-  Eigen::MatrixX3d exact = Eigen::MatrixX3d::Zero(x.rows(), 3);
-  exact.col(0) = -rate * x.col(1);
-  exact.col(1) = rate * x.col(0);
-  EXPECT_GT(model.tangential_retraction, 0.4);
-  EXPECT_LT((run.coupled->velocities() - exact).cwiseAbs().maxCoeff(), 0.01 * rate);
 }
 
 TEST(CoupledCell, HalfHeightIsFullHeightForAFlatCell) {

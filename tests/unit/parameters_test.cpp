@@ -223,17 +223,15 @@ TEST(Margins, AStrongForceViolatesThem) {
 }
 
 /// Seen in passages: at Ca 0.1 two steps per update diverge with the corrected kernel and one does not.
-TEST(Margins, KnowTheStiffnessOfTheCorrectedKernels) {
-  for (const std::string kernel : {"phi4_corrected", "phi4_jump"}) {
-    Case c;
-    c.cell.capillary_number = 0.1;
-    c.coupling.steps_per_update = 2;
-    EXPECT_LT(tightest(stability_margins(c))->share, 1);
-    c.coupling.kernel = kernel;
-    EXPECT_GT(tightest(stability_margins(c))->share, 1);
-    c.coupling.steps_per_update = 1;
-    EXPECT_LT(tightest(stability_margins(c))->share, 1) << tightest(stability_margins(c))->name;
-  }
+TEST(Margins, KnowTheStiffnessOfTheCorrectedKernel) {
+  Case c;
+  c.cell.capillary_number = 0.1;
+  c.coupling.steps_per_update = 2;
+  EXPECT_LT(tightest(stability_margins(c))->share, 1);
+  c.coupling.kernel = "phi4_corrected";
+  EXPECT_GT(tightest(stability_margins(c))->share, 1);
+  c.coupling.steps_per_update = 1;
+  EXPECT_LT(tightest(stability_margins(c))->share, 1) << tightest(stability_margins(c))->name;
 }
 
 TEST(Margins, OnlyForCoupledMembranes) {
