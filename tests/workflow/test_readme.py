@@ -62,14 +62,18 @@ def test_the_boundary_shows_open_brackets_and_the_printed_law():
         (6.8, 0.452, 0.461, "free", "lattice-0.4"),
         (6.8, 0.3, 0.33, "free", "lattice-0.2"),
         (6.8, 0.195, 0.24, "free", "extrapolated"),
+        (6.8, 0.38, 0.399, "free", "corrected-0.4"),
         (6.8, 0.4, 0.5, "blocked", "blocked-lateral"),
         (6.8, 0.4, 0.5, "free", "sensitivity/kernel/phi3"),
     ]
     columns = ["row_shift_um", "ca_displaced", "ca_zigzag", "lateral_flow", "series"]
     lines = readme.boundary(pd.DataFrame(rows, columns=columns), claim).splitlines()
-    assert lines[0] == "| d / um | Ca at 0.4 um | Ca at 0.2 um | extrapolated | paper, Eq. (5) |"
-    assert lines[2] == "| 2.0 | above 2.4 |  |  |  |"
-    assert lines[3] == "| 6.8 | 0.452 - 0.461 | 0.3 - 0.33 | 0.195 - 0.24 | 0.19 |"
+    assert lines[0] == (
+        "| d / um | Ca at 0.4 um | Ca at 0.2 um | Ca at 0.4 um, corrected | extrapolated | paper, Eq. (5) "
+        "| 0.4 um, corrected, over Eq. (5) |"
+    )
+    assert lines[2] == "| 2.0 | above 2.4 |  |  |  |  |  |"
+    assert lines[3] == "| 6.8 | 0.452 - 0.461 | 0.3 - 0.33 | 0.38 - 0.399 | 0.195 - 0.24 | 0.19 | 2 - 2.1 |"
 
 
 def test_the_critical_capillary_number_inverts_the_law():

@@ -10,6 +10,8 @@ from study.tables import markdown_table
 
 #: Series of brackets that the boundary of the README shows, by how their names begin.
 SHOWN = ("lattice-", "corrected-", "extrapolated")
+#: The series that is set against the printed boundary, and what that column is called.
+JUDGED, AGAINST_PRINT = "corrected-0.4", "0.4 um, corrected, over Eq. (5)"
 
 
 def with_blocks(text, blocks):
@@ -47,19 +49,22 @@ def interval(low, high, digits=3):
 
 
 def boundary(table, claim):
-    """Critical capillary number on each lattice, in their limit and by the paper's Eq. (5), by row shift."""
+    """Critical capillary number by row shift: on each lattice, in their limit and by the paper's Eq. (5), and
+    how many times the printed one it is."""
     free = table[table.series.str.startswith(SHOWN)]
     limits = [name for name in sorted(free.series.unique()) if name.startswith("extrapolated")]
     lattices = [name for name in sorted(free.series.unique(), reverse=True) if name not in limits]
     rows = []
     for shift, group in free.groupby("row_shift_um"):
-        found = {row.series: interval(row.ca_displaced, row.ca_zigzag) for row in group.itertuples()}
+        found = {row.series: (row.ca_displaced, row.ca_zigzag) for row in group.itertuples()}
         printed = critical_capillary_number(shift, [claim["value"][name] for name in PARAMETERS])
-        texts = [found.get(name, "") for name in lattices + limits]
-        rows.append([shift, *texts, "" if printed is None else f"{printed:.2f}"])
+        texts = [interval(*found[name]) if name in found else "" for name in lattices + limits]
+        known = printed is not None and JUDGED in found
+        ratio = interval(*(end / printed for end in found[JUDGED]), 2) if known else ""
+        rows.append([shift, *texts, "" if printed is None else f"{printed:.2f}", ratio])
     kinds = (name.partition("-") for name in lattices)
     heads = [f"Ca at {dx} um" + ("" if kind == "lattice" else f", {kind}") for kind, _, dx in kinds]
-    return "\n".join(markdown_table(["d / um", *heads, *limits, "paper, Eq. (5)"], rows))
+    return "\n".join(markdown_table(["d / um", *heads, *limits, "paper, Eq. (5)", AGAINST_PRINT], rows))
 
 
 def verdicts(table):
