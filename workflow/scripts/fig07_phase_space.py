@@ -1,6 +1,8 @@
 """Figure 7: the phase space of capillary number and row shift. Cells of the sweep, brackets of the boundary
 with the fitted exponentials and the paper's Eq. (5); beside it the boundary with blocked lateral flow."""
 
+from typing import NamedTuple
+
 import numpy as np
 from study import style
 from study.arguments import figure_arguments
@@ -22,32 +24,31 @@ COLUMNS = [
 COLUMNS += ["status", "d_um", "d_low_um", "d_high_um"]
 CURVE = np.geomspace(0.08, 2.5, 60)  # capillary numbers of the curves
 MARKERS = {"displaced": "o", "zigzag": "s", "undecided": "D", "diverged": "x", "interrupted": "x"}
-# Colour and symbol of the series that the panels show, in this order.
+
+
+class Look(NamedTuple):
+    """How a series of brackets is drawn, what the legend calls it, and in which panels it stands."""
+
+    colour: str
+    marker: str
+    label: str
+    panels: tuple = ("free",)
+
+
+BOTH = ("free", "blocked")
+#: The series that are drawn, in this order.
 LOOKS = {
-    "lattice-0.8": (style.PURPLE, "v"),
-    "lattice-0.4": (style.GREEN, "^"),
-    "lattice-0.2": (style.ORANGE, "v"),
-    "lattice-0.133": (style.PURPLE, "<"),
-    "corrected-0.4": (style.BLUE, "o"),
-    "corrected-0.2": (style.VERMILION, "o"),
-    "extrapolated": (style.BLACK, "D"),
-    "extrapolated-3": ("#777777", "D"),
-    "blocked-lateral": (style.PURPLE, "s"),
+    "lattice-0.8": Look(style.PURPLE, "v", "dx = 0.8 μm"),
+    "lattice-0.4": Look(style.GREEN, "^", "dx = 0.4 μm", BOTH),
+    "lattice-0.2": Look(style.ORANGE, "v", "dx = 0.2 μm"),
+    "lattice-0.133": Look(style.PURPLE, "<", "dx = 0.133 μm"),
+    "corrected-0.4": Look(style.BLUE, "o", "dx = 0.4 μm, corrected coupling", BOTH),
+    "corrected-0.2": Look(style.VERMILION, "o", "dx = 0.2 μm, corrected coupling"),
+    "extrapolated": Look(style.BLACK, "D", "extrapolated, dx → 0"),
+    "extrapolated-3": Look("#777777", "D", "extrapolated, dx → 0 (3 lattices)"),
+    "blocked-lateral": Look(style.PURPLE, "s", "no net lateral flow, dx = 0.4 μm", ("blocked",)),
+    "blocked-corrected": Look(style.VERMILION, "s", "the same, corrected coupling", ("blocked",)),
 }
-PANELS = {
-    "free": [name for name in LOOKS if name != "blocked-lateral"],
-    "blocked": ["lattice-0.4", "blocked-lateral"],
-}
-
-
-def name_of(series):
-    """A series in words, for the legend."""
-    if series == "blocked-lateral":
-        return "no net lateral flow"
-    kind, _, spacing = series.partition("-")
-    if kind in ("lattice", "corrected"):
-        return f"dx = {spacing} μm" + (", corrected coupling" if kind == "corrected" else "")
-    return "extrapolated, dx → 0" + (" (3 lattices)" if series.endswith("-3") else "")
 
 
 def cell_rows(passages, panel, sweep):
@@ -93,9 +94,9 @@ def collect(arguments, sweep):
     )
     claim = load_claims(arguments.claims)["phase-boundary"]
     rows = []
-    for panel, names in PANELS.items():
+    for panel in BOTH:
         rows += cell_rows(passages, panel, sweep if panel == "free" else "blocked-lateral")
-        for series in names:
+        for series in (name for name, look in LOOKS.items() if panel in look.panels):
             rows += bracket_rows(boundary, panel, series)
             rows += curve_rows(fits, boundary, panel, series)
         rows += paper_rows(claim, panel)
@@ -125,10 +126,10 @@ def draw(axes, table):
         axes.plot(group.capillary_number, group.row_shift_um, MARKERS[label], **style_of)
     drawn = [name for name in LOOKS if ((table.series == name) & table.kind.isin(["bracket", "fit"])).any()]
     for number, series in enumerate(drawn):
-        colour, marker = LOOKS[series]
+        colour, marker, label, _ = LOOKS[series]
         rows = table[table.series == series]
         shift = 0.09 * (number - 0.5 * (len(drawn) - 1))  # side by side at the same row shift
-        draw_brackets(axes, rows[rows.kind == "bracket"], colour, marker, shift, name_of(series))
+        draw_brackets(axes, rows[rows.kind == "bracket"], colour, marker, shift, label)
         curve = rows[rows.kind == "fit"]
         axes.plot(curve.capillary_number, curve.d_um, color=colour, zorder=3)
         axes.fill_between(
@@ -161,7 +162,7 @@ def main():
     table = read_table(arguments.csv)
     figure = style.new_figure(style.PAGE, 4.0)
     panels = figure.subplots(1, 2, sharey=True)
-    for letter, axes, name in zip("ab", panels, PANELS, strict=True):
+    for letter, axes, name in zip("ab", panels, BOTH, strict=True):
         draw(axes, table[table.panel == name])
         axes.set_title(
             f"({letter}) lateral flow {name if name == 'free' else 'free and blocked'}", loc="left"
