@@ -9,7 +9,8 @@ import numpy as np
 from study.boundary import PARAMETERS, law
 from study.claims import LIMIT, PAPER_RANGE, SERIES, SWEEP, Finding, at_paper_lattice, check, ranged, runs_of
 
-OTHERS = ("lattice-0.2", LIMIT, "corrected-0.4")  # series of brackets that stand beside the paper's lattice
+# Series of brackets that stand beside the paper's lattice.
+OTHERS = ("lattice-0.2", LIMIT, "corrected-0.4", "blocked-corrected")
 CAPILLARY_NUMBERS = [0.1, 0.3, 0.5, 0.7, 1.2]  # of Fig. 6
 
 
