@@ -42,12 +42,12 @@ LOOKS = {
     "lattice-0.4": Look(style.GREEN, "^", "dx = 0.4 μm", BOTH),
     "lattice-0.2": Look(style.ORANGE, "v", "dx = 0.2 μm"),
     "lattice-0.133": Look(style.PURPLE, "<", "dx = 0.133 μm"),
-    "corrected-0.4": Look(style.BLUE, "o", "dx = 0.4 μm, corrected coupling", BOTH),
-    "corrected-0.2": Look(style.VERMILION, "o", "dx = 0.2 μm, corrected coupling"),
+    "corrected-0.4": Look(style.BLUE, "o", "dx = 0.4 μm, corrected", BOTH),
+    "corrected-0.2": Look(style.VERMILION, "o", "dx = 0.2 μm, corrected"),
     "extrapolated": Look(style.BLACK, "D", "extrapolated, dx → 0"),
     "extrapolated-3": Look("#777777", "D", "extrapolated, dx → 0 (3 lattices)"),
-    "blocked-lateral": Look(style.PURPLE, "s", "no net lateral flow, dx = 0.4 μm", ("blocked",)),
-    "blocked-corrected": Look(style.VERMILION, "s", "the same, corrected coupling", ("blocked",)),
+    "blocked-lateral": Look(style.PURPLE, "s", "no net lateral flow", ("blocked",)),
+    "blocked-corrected": Look(style.VERMILION, "s", "the same, corrected", ("blocked",)),
 }
 
 

@@ -80,7 +80,7 @@ def draw_panel(axes, rows, kind):
     axes.tick_params(axis="y", length=0)
     axes.locator_params(axis="x", nbins=7 if kind == "d_perp" else 4)
     axes.margins(x=0.08)
-    axes.legend(loc="best", fontsize=6.5, handlelength=1)
+    axes.legend(loc="lower right", fontsize=6.5, handlelength=1)  # the smallest changes are at the bottom
 
 
 def main():
