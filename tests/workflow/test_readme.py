@@ -27,16 +27,19 @@ def test_the_committed_numbers_are_those_of_the_committed_results(tmp_path):
 
     claim = load_claims(committed("params/claims.json", tmp_path))["phase-boundary"]
     text = committed("README.md", tmp_path).read_text(encoding="utf-8")
+    brackets = table("results/tables/phase_boundary.csv")
     for block in (
         readme.times(table("results/tables/stage_times.csv")),
-        readme.boundary(table("results/tables/phase_boundary.csv"), claim),
+        readme.boundary(brackets, claim),
+        readme.doubts(brackets),
+        readme.blocked(brackets, claim),
         readme.verdicts(table("results/claims.csv")),
     ):
         assert block in text, "make the numbers again: snakemake --cores 2 readme"
 
 
 def test_blocks_take_the_place_of_old_ones_and_nothing_else():
-    text = "a\n<!-- one -->\nold\nolder\n<!-- end -->\nb\n<!-- two -->\n\n<!-- end -->\n"
+    text = "a\n<!-- one -->\nold\nolder\n<!-- end -->\nb\n<!-- two -->\n<!-- end -->\n"
     filled = readme.with_blocks(text, {"one": "1", "two": "2"})
     assert filled == "a\n<!-- one -->\n1\n<!-- end -->\nb\n<!-- two -->\n2\n<!-- end -->\n"
     assert readme.with_blocks(filled, {"one": "1", "two": "2"}) == filled
@@ -74,6 +77,41 @@ def test_the_boundary_shows_open_brackets_and_the_printed_law():
     )
     assert lines[2] == "| 2.0 | above 2.4 |  |  |  |  |  |"
     assert lines[3] == "| 6.8 | 0.452 - 0.461 | 0.3 - 0.33 | 0.38 - 0.399 | 0.195 - 0.24 | 0.19 | 2 - 2.1 |"
+
+
+COLUMNS = ["row_shift_um", "ca_displaced", "ca_zigzag", "undecided_inside", "contradictions", "series"]
+
+
+def test_doubts_show_the_row_shifts_where_something_was_changed():
+    rows = [
+        (5.2, 1.0, 1.1, 2, 0, "corrected-0.4"),
+        (6.8, 0.374, 0.378, 0, 0, "corrected-0.4"),
+        (6.8, 0.528, 0.545, 0, 0, "mesh-14"),
+        (6.0, None, 0.2, 0, 1, "mesh-14"),
+        (6.8, 0.2, 0.3, 0, 0, "lattice-0.4"),
+    ]
+    lines = readme.doubts(pd.DataFrame(rows, columns=COLUMNS)).splitlines()
+    assert lines[0] == "| changed alone | d = 6.8 um | d = 6.0 um |"
+    assert lines[2:] == [
+        "| **`corrected`, 0.4 um** (`corrected-0.4`) | 0.374 - 0.378 |  |",
+        "| mesh refined alone, frequency 10 to 14 (`mesh-14`) | 0.528 - 0.545 | below 0.2 (1 against it) |",
+    ]
+
+
+def test_brackets_without_lateral_flow_stand_beside_the_printed_law():
+    claim = {"value": {"offset_um": 2.9, "amplitude_um": 5.4, "rate": 1.72}}
+    rows = [
+        (4.4, 0.833, 1.12, 2, 0, "blocked-corrected"),
+        (6.8, 0.2, 0.22, 0, 0, "blocked-lateral"),
+        (9.0, 0.2, 0.22, 0, 0, "blocked-lateral"),
+        (4.4, 0.833, 1.12, 0, 0, "corrected-0.4"),
+    ]
+    lines = readme.blocked(pd.DataFrame(rows, columns=COLUMNS), claim).splitlines()
+    assert lines[2:] == [
+        "| 4.4 | 0.833 - 1.12 (2 undecided inside) |  | 0.74 | 1.1 - 1.5 |",
+        "| 6.8 |  | 0.2 - 0.22 | 0.19 |  |",
+        "| 9.0 |  | 0.2 - 0.22 |  |  |",
+    ]
 
 
 def test_the_critical_capillary_number_inverts_the_law():

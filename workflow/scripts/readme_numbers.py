@@ -12,9 +12,12 @@ def main():
     arguments = required_arguments(__doc__, "readme", "tables", "verdicts", "claims")
     tables = Path(arguments.tables)
     claim = load_claims(arguments.claims)["phase-boundary"]
+    brackets = read_table(tables / "phase_boundary.csv")
     blocks = {
         "times": readme.times(read_table(tables / "stage_times.csv")),
-        "boundary": readme.boundary(read_table(tables / "phase_boundary.csv"), claim),
+        "boundary": readme.boundary(brackets, claim),
+        "doubts": readme.doubts(brackets),
+        "blocked": readme.blocked(brackets, claim),
         "verdicts": readme.verdicts(read_table(arguments.verdicts)),
     }
     path = Path(arguments.readme)

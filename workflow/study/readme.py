@@ -12,14 +12,27 @@ from study.tables import markdown_table
 SHOWN = ("lattice-", "corrected-", "extrapolated")
 #: The series that is set against the printed boundary, and what that column is called.
 JUDGED, AGAINST_PRINT = "corrected-0.4", "0.4 um, corrected, over Eq. (5)"
+#: What the brackets of the corrected coupling depend on, by series.
+DOUBTS = {
+    "corrected-0.4": "**`corrected`, 0.4 um**",
+    "half-force": "half the force, i.e. half the inertia",
+    "contact-0.05": "contact at 0.05 instead of 0.1 um",
+    "mesh-14": "mesh refined alone, frequency 10 to 14",
+    "corrected-0.2": "**`reference`, 0.2 um**",
+    "mesh-28": "mesh refined alone, frequency 20 to 28",
+}
+#: Brackets without net lateral flow, by series; the first is set against the printed boundary.
+BLOCKED = {"blocked-corrected": "corrected", "blocked-lateral": "plain kernel"}
 
 
 def with_blocks(text, blocks):
     """The text with every block put between its marks `<!-- name -->` and `<!-- end -->`; an error if a block
     has no place."""
     for name, block in blocks.items():
-        pattern = rf"(<!-- {re.escape(name)} -->\n).*?(\n *<!-- end -->)"
-        text, count = re.subn(pattern, lambda m, block=block: m[1] + block + m[2], text, flags=re.DOTALL)
+        pattern = rf"(<!-- {re.escape(name)} -->\n).*?^( *<!-- end -->)"
+        text, count = re.subn(
+            pattern, lambda m, block=block: f"{m[1]}{block}\n{m[2]}", text, flags=re.DOTALL | re.MULTILINE
+        )
         if count != 1:
             raise ValueError(f"the text has {count} places for '{name}', one is needed: <!-- {name} -->")
     return text
@@ -48,6 +61,58 @@ def interval(low, high, digits=3):
     return f"above {low}" if low else f"below {high}" if high else ""
 
 
+def remarks(row):
+    """What a bracket leaves open, in brackets: undecided passages inside, passages that contradict it."""
+    counts = ((row.undecided_inside, "undecided inside"), (row.contradictions, "against it"))
+    texts = [f"{count:.0f} {what}" for count, what in counts if count]
+    return f" ({', '.join(texts)})" if texts else ""
+
+
+def printed_capillary_number(shift, claim):
+    """Ca at which the paper's Eq. (5) has this row shift; None where it has none."""
+    return critical_capillary_number(shift, [claim["value"][name] for name in PARAMETERS])
+
+
+def brackets_of(table, names):
+    """Text of every bracket of these series, by series and row shift."""
+    chosen = table[table.series.isin(names)].itertuples()
+    return {
+        (row.series, row.row_shift_um): interval(row.ca_displaced, row.ca_zigzag) + remarks(row)
+        for row in chosen
+    }
+
+
+def doubts(table):
+    """Brackets of the corrected coupling with one thing changed at a time, where something was changed."""
+    found = brackets_of(table, DOUBTS)
+    shifts = sorted({shift for name, shift in found if name not in (JUDGED, "corrected-0.2")}, reverse=True)
+    rows = [
+        [f"{label} (`{name}`)", *(found.get((name, shift), "") for shift in shifts)]
+        for name, label in DOUBTS.items()
+        if any((name, shift) in found for shift in shifts)
+    ]
+    return "\n".join(markdown_table(["changed alone", *(f"d = {shift} um" for shift in shifts)], rows))
+
+
+def blocked(table, claim):
+    """Brackets without net lateral flow, by row shift, and how many times the printed one the first is."""
+    found, judged = brackets_of(table, BLOCKED), next(iter(BLOCKED))
+    ends = {
+        row.row_shift_um: (row.ca_displaced, row.ca_zigzag)
+        for row in table[table.series == judged].itertuples()
+    }
+    rows = []
+    for shift in sorted({shift for _, shift in found}):
+        printed = printed_capillary_number(shift, claim)
+        ratio = interval(*(end / printed for end in ends[shift]), 2) if printed and shift in ends else ""
+        texts = [found.get((name, shift), "") for name in BLOCKED]
+        rows.append([shift, *texts, "" if printed is None else f"{printed:.2f}", ratio])
+    heads = [f"Ca, {label}" for label in BLOCKED.values()]
+    return "\n".join(
+        markdown_table(["d / um", *heads, "paper, Eq. (5)", f"{BLOCKED[judged]} over Eq. (5)"], rows)
+    )
+
+
 def boundary(table, claim):
     """Critical capillary number by row shift: on each lattice, in their limit and by the paper's Eq. (5), and
     how many times the printed one it is."""
@@ -57,7 +122,7 @@ def boundary(table, claim):
     rows = []
     for shift, group in free.groupby("row_shift_um"):
         found = {row.series: (row.ca_displaced, row.ca_zigzag) for row in group.itertuples()}
-        printed = critical_capillary_number(shift, [claim["value"][name] for name in PARAMETERS])
+        printed = printed_capillary_number(shift, claim)
         texts = [interval(*found[name]) if name in found else "" for name in lattices + limits]
         known = printed is not None and JUDGED in found
         ratio = interval(*(end / printed for end in found[JUDGED]), 2) if known else ""
