@@ -2,11 +2,15 @@
 passages each point stands for itself, error against work: a setting that finds the class at one point may
 miss it at another.
 
-Lower left is better. Lines join the ladders of a method, the step line is the Pareto frontier, open markers
-at the upper edge are settings that failed or found another class, and the grey bands are the uncertainty of
-the references, below which nothing is told apart. Beside it stand the settings on the frontier, with the
-number of others of the same cost and error.
+Lower left is better. Lines join settings that are steps of one quantity, the step line is the Pareto
+frontier, open markers at the upper edge are settings that failed or found another class, and the grey bands
+are the uncertainty of the references, below which nothing is told apart. Beside it stand the settings on the
+frontier, with the number of others of the same cost and error; of passages those on the frontier of any
+point, with their errors at all of them.
 """
+
+import re
+import textwrap
 
 import numpy as np
 from matplotlib.ticker import LogLocator, NullFormatter
@@ -18,7 +22,7 @@ from study.plan import read_json
 from study.tables import read_table, write_table
 
 COSTS = {"work_units": "work / node updates", "seconds": "run time / s"}
-MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">", "h", "p", "*", "d", "8"]
+MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">", "h", "p", "*", "d", "8", "$+$", "1", "H"]
 COLUMNS = [
     "point",
     "error_kind",
@@ -31,6 +35,9 @@ COLUMNS = [
 ]
 COLUMNS += ["seconds", "status", "on_frontier"]
 LISTED = 12  # settings of the frontier that find room beside the diagram
+NAME_WIDTH = 36  # letters of a setting before its line breaks
+#: A setting that is a step of one quantity: 0.4 um, x 0.25, 20 cells.
+STEP = re.compile(r"(?:x )?([0-9.]+)(?: \w+)?")
 STYLES = dict.fromkeys(["error", "reference_uncertainty", "work_units", "seconds"], ".3e")
 
 
@@ -46,8 +53,17 @@ def looks(rows):
     return {name: (colours[i % len(colours)], MARKERS[i % len(MARKERS)]) for i, name in enumerate(names)}
 
 
-def draw(axes, rows, cost, look, ladders):
-    """One panel: the settings of one kind of error against one cost."""
+def ordered_steps(part):
+    """The rows of a method in the order of their steps; whether a line joins them: where all are steps."""
+    steps = [STEP.fullmatch(setting) for setting in part.setting]
+    if not all(steps):
+        return part, False
+    order = np.argsort([float(step[1]) for step in steps], kind="stable")
+    return part.iloc[order], True
+
+
+def draw(axes, rows, cost, look, named):
+    """One panel: the settings of one kind of error against one cost. `named`: methods in the legend."""
     good = rows[(rows.status == "ok") & rows.error.notna() & rows[cost].notna()]
     failed = rows[(rows.status != "ok") & rows[cost].notna()]
     floors = sorted(set(rows.reference_uncertainty.dropna()))
@@ -70,36 +86,78 @@ def draw(axes, rows, cost, look, ladders):
         axes.plot(x, y, color=style.BLACK, lw=2.2, alpha=0.35, zorder=1, solid_capstyle="butt")
     for method, part in good.groupby("method"):
         colour, marker = look[method]
-        ordered = part.sort_values(cost)
-        line = "-" if method in ladders else ""
+        ordered, joined = ordered_steps(part)
         errors = ordered.error.clip(lower=low)  # none at all: at the lower edge
-        axes.plot(ordered[cost], errors, line, marker=marker, color=colour, lw=0.8, label=method)
+        line = "-" if joined else "none"
+        axes.plot(ordered[cost], errors, linestyle=line, marker=marker, color=colour, lw=0.8, label=method)
     for method, part in failed.groupby("method"):
         colour, marker = look[method]
         edge = np.full(len(part), high)
-        axes.plot(part[cost], edge, marker, color=colour, mfc="none", ms=6, clip_on=False, zorder=5)
+        label = None if method in named else f"{method} ({part.status.iloc[0]})"
+        axes.plot(
+            part[cost],
+            edge,
+            marker=marker,
+            linestyle="none",
+            color=colour,
+            mfc="none",
+            ms=6,
+            clip_on=False,
+            zorder=5,
+            label=label,
+        )
+
+
+def write_list(axes, places, heads, lines):
+    """A small table in words: the first column from the left, the others from the right."""
+    axes.set_axis_off()
+    line, top = 1.0 / (LISTED + 2), 1.0
+    for number, texts in enumerate([heads, *lines]):
+        size, weight = (6.5, "normal") if number else (7, "bold")
+        name = textwrap.wrap(texts[0], NAME_WIDTH, subsequent_indent="   ")
+        for column, (place, text) in enumerate(zip(places, ["\n".join(name), *texts[1:]], strict=False)):
+            align = "right" if column else "left"
+            axes.text(place, top, text, ha=align, va="top", fontsize=size, weight=weight)
+        top -= line * len(name)
+
+
+def name_of(row):
+    """Method and setting in words."""
+    return f"{row.method}: {row.setting}" if row.setting else row.method
+
+
+def shown_error(row):
+    """Text of an error, as far as the reference can tell."""
+    below = row.error < row.reference_uncertainty
+    return f"< {row.reference_uncertainty:.1e}" if below else f"{row.error:.1e}"
 
 
 def list_frontier(axes, rows):
-    """The settings on the frontier as a small table."""
-    axes.set_axis_off()
+    """The settings on the frontier, with error and work."""
+    lines = []
     kept = rows[rows.on_frontier == 1].sort_values("work_units").groupby(["work_units", "error"], sort=False)
-    places, line = (0.0, 0.74, 0.99), 1.0 / (LISTED + 2)
-    heads = ("on the frontier", "error", "work")
-    aligned = ("left", "right", "right")
-    for place, text, align in zip(places, heads, aligned, strict=True):
-        axes.text(place, 1.0, text, weight="bold", ha=align, va="top", fontsize=7)
-    for number, ((work, error), part) in enumerate(kept, 1):
-        if number > LISTED:
-            axes.text(0, 1.0 - number * line, f"and {len(kept) - LISTED} more", va="top", fontsize=6.5)
-            break
-        row = part.iloc[0]
-        name = f"{row.method}: {row.setting}" if row.setting else row.method
-        name += f" (+{len(part) - 1})" if len(part) > 1 else ""
-        below = error < row.reference_uncertainty
-        texts = (name, f"< {row.reference_uncertainty:.1e}" if below else f"{error:.1e}", f"{work:.1e}")
-        for place, text, align in zip(places, texts, aligned, strict=True):
-            axes.text(place, 1.0 - number * line, text, ha=align, va="top", fontsize=6.5)
+    for (work, _), part in kept:
+        more = f" (+{len(part) - 1})" if len(part) > 1 else ""
+        lines.append((name_of(part.iloc[0]) + more, shown_error(part.iloc[0]), f"{work:.1e}"))
+    if len(lines) > LISTED:
+        lines[LISTED:] = [(f"and {len(lines) - LISTED} more",)]
+    write_list(axes, (0.0, 0.78, 0.99), ("on the frontier", "error", "work"), lines)
+
+
+def list_frontiers(axes, rows):
+    """The settings on the frontier of any point, cheapest first, with their errors at every point."""
+    points = list(dict.fromkeys(rows.point))
+    named = rows.assign(name=[name_of(row) for row in rows.itertuples()])
+    chosen = named[named.on_frontier == 1].groupby("name").work_units.mean().sort_values()
+    lines = []
+    for name in chosen.index:
+        at = {row.point: row for row in named[named.name == name].itertuples()}
+        texts = [shown_error(at[point]) if at[point].status == "ok" else "fails" for point in points]
+        lines.append((name, *texts))
+    if len(lines) > LISTED:
+        lines[LISTED:] = [(f"and {len(lines) - LISTED} more",)]
+    heads = ("on a frontier", *(point.partition(",")[0].removeprefix("d = ") for point in points))
+    write_list(axes, (0.0, 0.66, 0.83, 1.0), heads, lines)
 
 
 def panels_of(rows):
@@ -119,25 +177,23 @@ def main():
         rows.to_dict("records"), COLUMNS, arguments.csv, ["point", "error_kind", "work_units"], STYLES
     )
     kinds = list(dict.fromkeys(rows.error_kind))
-    methods = plan["accuracy"]["studies"].get(arguments.study, {}).get("methods", {})
-    ladders = {name for name, method in methods.items() if "ladder" in method} | {"depth-averaged flow"}
-    look = looks(rows)
+    look, named = looks(rows), set(rows.method[rows.status == "ok"])
     panels = panels_of(rows)
-    listed = rows.point.nunique() == 1
-    figure = style.new_figure(10.0, 0.9 + 2.4 * len(kinds))
-    widths = [1.0] * len(panels) + [1.05] * listed
-    grid = figure.subplots(len(kinds), len(widths), squeeze=False, width_ratios=widths)
+    write = list_frontier if rows.point.nunique() == 1 else list_frontiers
+    figure = style.new_figure(10.0 if write is list_frontier else 12.5, 0.9 + 2.4 * len(kinds))
+    grid = figure.subplots(
+        len(kinds), len(panels) + 1, squeeze=False, width_ratios=[1.0] * len(panels) + [1.2]
+    )
     for line, kind in zip(grid, kinds, strict=True):
         part = rows[rows.error_kind == kind]
         for axes, (point, cost) in zip(line, panels, strict=False):
-            draw(axes, part[part.point == point], cost, look, ladders)
-            if not listed and kind == kinds[0]:
+            draw(axes, part[part.point == point], cost, look, named)
+            if len(panels) > len(COSTS) and kind == kinds[0]:
                 axes.set_title(point, loc="left", pad=8)
         line[0].set_ylabel(f"error of {kind}")
-        if listed:
-            list_frontier(line[-1], part)
+        write(line[-1], part)
     style_handles = {}
-    for axes in grid[:, : len(panels)].ravel():
+    for axes in grid[:, :-1].ravel():
         style_handles |= dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
     figure.legend(style_handles.values(), style_handles.keys(), loc="outside lower center", ncols=4)
     style.save(figure, arguments.output, plan["note"])
