@@ -47,6 +47,16 @@ def axis_of(values, key):
     return places, list(values) if words else None
 
 
+def apart(places):
+    """The places whose labels do not touch on a logarithmic axis: a sixth of its length apart."""
+    least = np.log(places[-1] / places[0]) / 6
+    kept = [places[0]]
+    for place in places[1:]:
+        if np.log(place / kept[-1]) > least:
+            kept.append(place)
+    return kept
+
+
 def grid(frame, column, xs, ys):
     """Values of a column on the plane, ny x nx; missing points are NaN or None."""
     table = frame.pivot_table(index="y", columns="x", values=column, aggfunc="first")
@@ -84,7 +94,7 @@ def draw(axes, frame):
         if words:
             axis.set_ticks(places, words)
         elif places[-1] / places[0] < 50:
-            axis.set_ticks(places[:: max(1, len(places) // 4)])
+            axis.set_ticks(apart(places))
             axis.set_major_formatter(plt.FuncFormatter(lambda v, _: f"{v:.3g}"))
     axes.set_xlabel(NAMES.get(frame.x_name.iloc[0], frame.x_name.iloc[0]))
     axes.set_ylabel(NAMES.get(frame.y_name.iloc[0], frame.y_name.iloc[0]))
