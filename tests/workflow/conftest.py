@@ -20,7 +20,7 @@ def root():
 
 @pytest.fixture(scope="session")
 def study():
-    return planning.validated(ROOT / "params/study.json", "study")
+    return planning.load_study(ROOT / "params/study.json")
 
 
 def make_run(case, plan, folder):

@@ -33,7 +33,14 @@ def test_a_misspelt_key_of_the_study_is_found(study, tmp_path):
     path = tmp_path / "study.json"
     path.write_text(json.dumps(study), encoding="utf-8")
     with pytest.raises(ValueError, match=r"/tiers/smoke: .*pasages"):
-        planning.validated(path, "study")
+        planning.load_study(path)
+
+
+def test_a_tier_that_extends_none_of_the_tiers_is_found(study, tmp_path):
+    path = tmp_path / "study.json"
+    path.write_text(json.dumps(study | {"tiers": {"fine": {"extends": "papre"}}}), encoding="utf-8")
+    with pytest.raises(ValueError, match="'fine' extends 'papre'; the tiers are fine"):
+        planning.load_study(path)
 
 
 def test_a_misspelt_key_of_a_case_is_found():

@@ -37,9 +37,9 @@ def problems(document, schema):
     return ["/" + "/".join(map(str, error.path)) + ": " + error.message for error in errors]
 
 
-def validated(path, schema_name):
-    """The document of a file, or a ValueError that lists every violation of its schema."""
-    document = read_json(path)
+def validated(path, schema_name, prepare=lambda document: document):
+    """The document of a file, prepared, or a ValueError that lists every violation of its schema."""
+    document = prepare(read_json(path))
     found = problems(document, read_json(SCHEMAS / f"{schema_name}.schema.json"))
     if found:
         raise ValueError(f"{path} does not follow the {schema_name} schema:\n  " + "\n  ".join(found))
@@ -94,7 +94,19 @@ def expanded(tiers, name):
     """A tier with what it does not say itself taken from the tier that it `extends`."""
     tier = dict(tiers[name])
     base = tier.pop("extends", None)
+    if base is not None and base not in tiers:
+        raise ValueError(f"tier '{name}' extends '{base}'; the tiers are {', '.join(sorted(tiers))}")
     return merged(expanded(tiers, base), tier) if base else tier
+
+
+def load_study(path):
+    """The study of a file with every tier in full; a ValueError that lists what its schema forbids."""
+
+    def in_full(study):
+        tiers = study.get("tiers", {})
+        return study | {"tiers": {name: expanded(tiers, name) for name in tiers}}
+
+    return validated(path, "study", in_full)
 
 
 class _Planner:
@@ -136,7 +148,7 @@ def make_plan(study, tier_name, case_schema):
     """The plan of a tier: its settings, its runs (id, group, labels, resolved case) and its brackets."""
     if tier_name not in study["tiers"]:
         raise ValueError(f"there is no tier '{tier_name}'; the tiers are {', '.join(sorted(study['tiers']))}")
-    tier = expanded(study["tiers"], tier_name)
+    tier = study["tiers"][tier_name]
     planner = _Planner(case_schema, study["solver_model"])
     sources = (points.streamlines, points.stokes, points.stretching, points.passages, points.sensitivity)
     sources += (stability.maps, stability.long_run)
@@ -179,8 +191,7 @@ def _by_line(passages, axis):
 
 def load_plan(study_path, tier_name):
     """The plan of a tier straight from the study's file."""
-    study = validated(study_path, "study")
-    return make_plan(study, tier_name, read_json(SCHEMAS / "case.schema.json"))
+    return make_plan(load_study(study_path), tier_name, read_json(SCHEMAS / "case.schema.json"))
 
 
 def _plan_lines(name, value):
