@@ -10,6 +10,7 @@ ACCURACY_FILES = [
     f"{TABLES}/settings_check.csv",
     f"{RESULTS}/accuracy_conclusions.md",
     *WORK_PRECISION_FILES,
+    *expand("{folder}/fig_convergence.{ext}", folder=FIGURES, ext=["pdf", "png", "csv"]),
 ]
 
 
@@ -103,6 +104,25 @@ rule work_precision:
     shell:
         """
         python {input.script} --plan {input.plan} --table {input.table} --study {wildcards.study} \
+            --csv {output.csv} --output {output.pdf} 2> {log}
+        """
+
+
+rule figure_convergence:
+    input:
+        plan=PLAN_FILE,
+        table=rules.accuracy_table.output,
+        script=f"{SCRIPTS}/fig_convergence.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/fig_convergence", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/fig_convergence.log",
+    params:
+        runs=RUNS,
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --runs {params.runs} \
             --csv {output.csv} --output {output.pdf} 2> {log}
         """
 
