@@ -178,3 +178,20 @@ def test_diagrams_and_conclusions_follow_from_the_table(table, check, results, c
     points = pd.read_csv(table).query("study == 'passages' and point != 'all'").point.nunique()
     assert written.count("| error at most |") == 4 + 3 * points  # kinds of error, of passages at each point
     assert ("## Presets" in written) == ("fine" in results.name)
+
+
+def test_the_convergence_figure_has_every_coupling_on_two_lattices_or_more(table, results, call):
+    pdf = results / "figures" / "fig_convergence.pdf"
+    plan = {"plan": results / "plan.json", "table": table, "runs": results / "runs"}
+    call("fig_convergence", **plan, csv=pdf.with_suffix(".csv"), output=pdf)
+    shown, rows = pd.read_csv(pdf.with_suffix(".csv")), pd.read_csv(table)
+    passages = rows[
+        (rows.study == "passages") & (rows.point != "all") & rows.method.str.startswith("lattice")
+    ]
+    known = passages.dropna(subset="value").groupby("method").spacing.nunique()
+    assert set("lattice, " + shown.method) == set(known.index[known > 1])
+    assert set(shown["class"]) <= {"displaced", "zigzag", "undecided"}
+    plain = shown[(shown.method == "phi4") & (shown.error_kind == shown.error_kind.iloc[0])]
+    found = passages[(passages.method == "lattice, phi4") & (passages.error_kind == shown.error_kind.iloc[0])]
+    assert sorted(plain.value) == pytest.approx(sorted(found.value), abs=1e-4)
+    assert pdf.with_suffix(".png").stat().st_size > 10_000
