@@ -5,7 +5,7 @@ result, and the weight of a membrane update by the run times. All of it comes fr
 from pathlib import Path
 
 import numpy as np
-from study.accuracy import ALL, GOOD, judged_points
+from study.accuracy import ALL, GOOD, judged_points, passage_ladders
 from study.arguments import table_arguments
 from study.fits import first_order_limit
 from study.plan import read_json
@@ -68,24 +68,21 @@ def presets_of(table):
 
 def ladders_of(table):
     """Lines of a table: the measured lengths of the passages on every lattice, their order and limit."""
-    rows = table[(table.study == "passages") & (table.point != ALL) & table.method.str.startswith("lattice")]
+    rows = passage_ladders(table)
     spacings = sorted(rows.spacing.unique(), reverse=True)
-    if len(spacings) < 2:
+    if rows.empty:
         return
     yield "## Passages against the lattice spacing\n"
     yield "um; limit of the observed order, else of first order from the two finest lattices (in brackets).\n"
     yield "| method | point | length | " + " | ".join(f"{h:.3g} um" for h in spacings) + " | order | limit |"
     yield "|---" * (len(spacings) + 5) + "|"
     for (method, point, kind), part in rows.groupby(["method", "point", "error_kind"], sort=False):
-        found = part.dropna(subset=["value"]).drop_duplicates("spacing").set_index("spacing").value
-        found = found.sort_index(ascending=False)
-        if len(found) < 2:
-            continue
+        found = part.drop_duplicates("spacing").set_index("spacing").value.sort_index(ascending=False)
         cells = [f"{found[h]:.3f}" if h in found.index else "" for h in spacings]
         limit, order = first_order_limit(found.index.to_numpy(), found.to_numpy())
         name = kind.removesuffix(", relative").removesuffix(", um")
         cells += [f"{order:.2f}" if order else "(1)", f"{limit:.3f}"]
-        yield f"| {method.removeprefix('lattice, ')} | {point} | {name} | " + " | ".join(cells) + " |"
+        yield f"| {method} | {point} | {name} | " + " | ".join(cells) + " |"
     yield ""
 
 

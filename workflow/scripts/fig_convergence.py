@@ -4,12 +4,12 @@ have another class than the corrected coupling on the finest lattice: their D_pe
 """
 
 from study import style
-from study.accuracy import ALL
+from study.accuracy import passage_ladders
 from study.arguments import figure_arguments
 from study.plan import read_json
+from study.runs import load_runs
 from study.tables import read_table, write_table
 
-STUDY, PREFIX = "passages", "lattice, "
 COLUMNS = ["point", "error_kind", "method", "spacing", "value", "class"]
 STYLES = {"spacing": ".4f", "value": ".4f"}
 #: What the legend calls a coupling, and its colour and marker; others are drawn in grey.
@@ -27,43 +27,31 @@ NAMES = {
 }
 
 
-def classes(plan, runs):
-    """{(method, setting, point): class} of the passages of the study."""
-    found = {}
-    for run in plan["runs"]:
-        labels = run["labels"]
-        if labels.get("study") == STUDY:
-            summary = read_json(f"{runs}/{run['id']}/summary.json")
-            found[labels["method"], labels["setting"], labels["point"]] = summary["status"]
-    return found
+def ladders(arguments):
+    """Rows of the couplings that were run on two lattices or more, with the class that each passage found."""
+    labels = ("method", "setting", "point")
+    known = {
+        tuple(run.labels[name] for name in labels): run.summary["status"]
+        for run in load_runs(arguments.plan, arguments.runs, "accuracy-passages")
+    }
+    table = read_table(arguments.table)
+    table["class"] = [known.get(key, "") for key in zip(*(table[name] for name in labels), strict=True)]
+    return passage_ladders(table).sort_values(COLUMNS[:4])
 
 
-def ladders(table, known):
-    """Rows of the couplings that were run on two lattices or more."""
-    rows = table[(table.study == STUDY) & (table.point != ALL) & table.method.str.startswith(PREFIX)]
-    rows = rows.dropna(subset=["value", "spacing"])
-    rows = rows.assign(
-        **{"class": [known.get((r.method, str(r.setting), r.point), "") for r in rows.itertuples()]},
-        method=rows.method.str.removeprefix(PREFIX),
-    )
-    several = rows.groupby(["point", "error_kind", "method"]).spacing.transform("nunique") > 1
-    return rows[several].sort_values(["point", "error_kind", "method", "spacing"])
-
-
-def draw(axes, rows):
-    """One panel: one length at one point."""
+def draw(axes, rows, expected):
+    """One panel: one length at one point. Open markers: another class than expected."""
     for method, part in rows.groupby("method"):
         label, colour, marker = LOOKS.get(method, (method, "#777777", "x"))
         axes.plot(part.spacing, part.value, color=colour, lw=0.9, marker=marker, label=label)
-        other = part[part["class"] != rows.attrs["class"]]
+        other = part[part["class"] != expected]
         axes.plot(other.spacing, other.value, marker, color=colour, mfc="white")
     axes.set_xlim(0, 1.06 * rows.spacing.max())
 
 
 def main():
     arguments = figure_arguments(__doc__, "table", "runs")
-    plan = read_json(arguments.plan)
-    rows = ladders(read_table(arguments.table), classes(plan, arguments.runs))
+    rows = ladders(arguments)
     write_table(rows.to_dict("records"), COLUMNS, arguments.csv, COLUMNS[:4], STYLES)
     points, kinds = list(dict.fromkeys(rows.point)), list(dict.fromkeys(rows.error_kind))
     figure = style.new_figure(style.PAGE, 0.8 + 1.9 * max(1, len(kinds)))
@@ -73,20 +61,16 @@ def main():
             for axes, point in zip(line, points, strict=True):
                 part = rows[(rows.error_kind == kind) & (rows.point == point)]
                 best = part[part.method == "phi4_corrected"]
-                part.attrs["class"] = best["class"].iloc[0] if len(best) else ""
-                draw(axes, part)
+                expected = best["class"].iloc[0] if len(best) else ""
+                draw(axes, part, expected)
                 if kind == kinds[0]:
-                    axes.set_title(f"{point}, {part.attrs['class']}", loc="left")
+                    axes.set_title(f"{point}, {expected}", loc="left")
             name = kind.partition(",")[0]
             line[0].set_ylabel(NAMES.get(name, name))
         for axes in grid[-1]:
             axes.set_xlabel(r"lattice spacing $\Delta x$ / μm")
-        shown = {}
-        for axes in grid.ravel():
-            handles, labels = axes.get_legend_handles_labels()
-            shown |= dict(zip(labels, handles, strict=True))
-        figure.legend(shown.values(), shown.keys(), loc="outside lower center", ncols=3)
-    style.save(figure, arguments.output, plan["note"])
+        style.legend_below(figure, ncols=3)
+    style.save(figure, arguments.output, read_json(arguments.plan)["note"])
 
 
 main()

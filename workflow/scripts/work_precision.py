@@ -111,6 +111,8 @@ def draw(axes, rows, cost, look, named):
 def write_list(axes, places, heads, lines):
     """A small table in words: the first column from the left, the others from the right."""
     axes.set_axis_off()
+    if len(lines) > LISTED:
+        lines = [*lines[:LISTED], (f"and {len(lines) - LISTED} more",)]
     line, top = 1.0 / (LISTED + 2), 1.0
     for number, texts in enumerate([heads, *lines]):
         size, weight = (6.5, "normal") if number else (7, "bold")
@@ -139,8 +141,6 @@ def list_frontier(axes, rows):
     for (work, _), part in kept:
         more = f" (+{len(part) - 1})" if len(part) > 1 else ""
         lines.append((name_of(part.iloc[0]) + more, shown_error(part.iloc[0]), f"{work:.1e}"))
-    if len(lines) > LISTED:
-        lines[LISTED:] = [(f"and {len(lines) - LISTED} more",)]
     write_list(axes, (0.0, 0.78, 0.99), ("on the frontier", "error", "work"), lines)
 
 
@@ -154,8 +154,6 @@ def list_frontiers(axes, rows):
         at = {row.point: row for row in named[named.name == name].itertuples()}
         texts = [shown_error(at[point]) if at[point].status == "ok" else "fails" for point in points]
         lines.append((name, *texts))
-    if len(lines) > LISTED:
-        lines[LISTED:] = [(f"and {len(lines) - LISTED} more",)]
     heads = ("on a frontier", *(point.partition(",")[0].removeprefix("d = ") for point in points))
     write_list(axes, (0.0, 0.66, 0.83, 1.0), heads, lines)
 
@@ -179,8 +177,9 @@ def main():
     kinds = list(dict.fromkeys(rows.error_kind))
     look, named = looks(rows), set(rows.method[rows.status == "ok"])
     panels = panels_of(rows)
-    write = list_frontier if rows.point.nunique() == 1 else list_frontiers
-    figure = style.new_figure(10.0 if write is list_frontier else 12.5, 0.9 + 2.4 * len(kinds))
+    several = rows.point.nunique() > 1
+    write = list_frontiers if several else list_frontier
+    figure = style.new_figure(12.5 if several else 10.0, 0.9 + 2.4 * len(kinds))
     grid = figure.subplots(
         len(kinds), len(panels) + 1, squeeze=False, width_ratios=[1.0] * len(panels) + [1.2]
     )
@@ -188,14 +187,11 @@ def main():
         part = rows[rows.error_kind == kind]
         for axes, (point, cost) in zip(line, panels, strict=False):
             draw(axes, part[part.point == point], cost, look, named)
-            if len(panels) > len(COSTS) and kind == kinds[0]:
+            if several and kind == kinds[0]:
                 axes.set_title(point, loc="left", pad=8)
         line[0].set_ylabel(f"error of {kind}")
         write(line[-1], part)
-    style_handles = {}
-    for axes in grid[:, :-1].ravel():
-        style_handles |= dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
-    figure.legend(style_handles.values(), style_handles.keys(), loc="outside lower center", ncols=4)
+    style.legend_below(figure, ncols=4)
     style.save(figure, arguments.output, plan["note"])
 
 

@@ -179,6 +179,16 @@ def mark_frontiers(rows):
     return rows
 
 
+def passage_ladders(rows):
+    """Rows of a cost table with the measured lengths of the passages, of the couplings that have them on two
+    lattices or more; the methods by the name of the coupling alone."""
+    prefix = "lattice, "
+    rows = rows[(rows.study == "passages") & (rows.point != ALL) & rows.method.str.startswith(prefix)]
+    rows = rows.dropna(subset=["value", "spacing"])
+    rows = rows.assign(method=rows.method.str.removeprefix(prefix))
+    return rows[rows.groupby(["method", "point", "error_kind"]).spacing.transform("nunique") > 1]
+
+
 def judged_points(rows):
     """Rows of a cost table to draw conclusions from: over all points together, of passages at each point,
     because a setting that finds the right class at one point may miss it at another."""

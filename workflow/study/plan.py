@@ -37,9 +37,13 @@ def problems(document, schema):
     return ["/" + "/".join(map(str, error.path)) + ": " + error.message for error in errors]
 
 
-def validated(path, schema_name, prepare=lambda document: document):
-    """The document of a file, prepared, or a ValueError that lists every violation of its schema."""
-    document = prepare(read_json(path))
+def validated(path, schema_name):
+    """The document of a file, or a ValueError that lists every violation of its schema."""
+    return _checked(read_json(path), path, schema_name)
+
+
+def _checked(document, path, schema_name):
+    """The document if it follows the schema, else a ValueError with the file and every violation."""
     found = problems(document, read_json(SCHEMAS / f"{schema_name}.schema.json"))
     if found:
         raise ValueError(f"{path} does not follow the {schema_name} schema:\n  " + "\n  ".join(found))
@@ -101,12 +105,10 @@ def expanded(tiers, name):
 
 def load_study(path):
     """The study of a file with every tier in full; a ValueError that lists what its schema forbids."""
-
-    def in_full(study):
-        tiers = study.get("tiers", {})
-        return study | {"tiers": {name: expanded(tiers, name) for name in tiers}}
-
-    return validated(path, "study", in_full)
+    study = read_json(path)
+    tiers = study.get("tiers", {})
+    in_full = study | {"tiers": {name: expanded(tiers, name) for name in tiers}}
+    return _checked(in_full, path, "study")
 
 
 class _Planner:

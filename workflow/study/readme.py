@@ -68,9 +68,12 @@ def remarks(row):
     return f" ({', '.join(texts)})" if texts else ""
 
 
-def printed_capillary_number(shift, claim):
-    """Ca at which the paper's Eq. (5) has this row shift; None where it has none."""
-    return critical_capillary_number(shift, [claim["value"][name] for name in PARAMETERS])
+def beside_print(shift, ends, claim):
+    """Texts: Ca of the paper's Eq. (5) at this row shift, and how many times it a bracket is, if any."""
+    printed = critical_capillary_number(shift, [claim["value"][name] for name in PARAMETERS])
+    if printed is None:
+        return ["", ""]
+    return [f"{printed:.2f}", interval(*(end / printed for end in ends), 2) if printed and ends else ""]
 
 
 def brackets_of(table, names):
@@ -103,10 +106,8 @@ def blocked(table, claim):
     }
     rows = []
     for shift in sorted({shift for _, shift in found}):
-        printed = printed_capillary_number(shift, claim)
-        ratio = interval(*(end / printed for end in ends[shift]), 2) if printed and shift in ends else ""
         texts = [found.get((name, shift), "") for name in BLOCKED]
-        rows.append([shift, *texts, "" if printed is None else f"{printed:.2f}", ratio])
+        rows.append([shift, *texts, *beside_print(shift, ends.get(shift), claim)])
     heads = [f"Ca, {label}" for label in BLOCKED.values()]
     return "\n".join(
         markdown_table(["d / um", *heads, "paper, Eq. (5)", f"{BLOCKED[judged]} over Eq. (5)"], rows)
@@ -122,11 +123,8 @@ def boundary(table, claim):
     rows = []
     for shift, group in free.groupby("row_shift_um"):
         found = {row.series: (row.ca_displaced, row.ca_zigzag) for row in group.itertuples()}
-        printed = printed_capillary_number(shift, claim)
         texts = [interval(*found[name]) if name in found else "" for name in lattices + limits]
-        known = printed is not None and JUDGED in found
-        ratio = interval(*(end / printed for end in found[JUDGED]), 2) if known else ""
-        rows.append([shift, *texts, "" if printed is None else f"{printed:.2f}", ratio])
+        rows.append([shift, *texts, *beside_print(shift, found.get(JUDGED), claim)])
     kinds = (name.partition("-") for name in lattices)
     heads = [f"Ca at {dx} um" + ("" if kind == "lattice" else f", {kind}") for kind, _, dx in kinds]
     return "\n".join(markdown_table(["d / um", *heads, *limits, "paper, Eq. (5)", AGAINST_PRINT], rows))

@@ -72,6 +72,15 @@ def save(figure, pdf_path, note=""):
     plt.close(figure)
 
 
+def legend_below(figure, ncols, **options):
+    """One legend under all panels of a figure, every label once."""
+    entries = {}
+    for axes in figure.axes:
+        handles, labels = axes.get_legend_handles_labels()
+        entries |= dict(zip(labels, handles, strict=True))
+    figure.legend(entries.values(), entries.keys(), loc="outside lower center", ncols=ncols, **options)
+
+
 def add_pillars(axes, radius, pitch, row_shift, x_range, y_range):
     """Draws the circular pillars (n pitch, m pitch + n d) that reach into the given ranges."""
     first, last = round((x_range[0] - radius) // pitch), round((x_range[1] + radius) // pitch) + 1
