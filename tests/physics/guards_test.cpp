@@ -2,6 +2,8 @@
 /// with that quantity, its place and a cure.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "parameters/limits.hpp"
 #include "scene/monitor.hpp"
 #include "support/scene_run.hpp"
@@ -129,6 +131,50 @@ TEST(Guards, TheMarginsForeseeStiffnessAndSpeed) {
   EXPECT_LT(tightest(stability_margins(c))->share, 1);
   c.fluid.force_density = 0.01;
   EXPECT_GT(tightest(stability_margins(c))->share, 1);
+}
+
+const Margin& margin(const std::vector<Margin>& margins, const std::string& begin) {
+  return *std::ranges::find_if(margins, [&](const Margin& m) { return m.name.starts_with(begin); });
+}
+
+/// The case with the bending ratio that uses up this share of its margin.
+Case with_bending_share(Case c, double share) {
+  c.cell.bending_ratio *= share / margin(stability_margins(c), "bending").share;
+  return c;
+}
+
+// The limit falls with the viscosity and the resolution: each of these runs within it and fails some way past
+// it.
+TEST(Guards, TheBendingMarginForeseesAStiffMembrane) {
+  Case paper_lattice = coarse_case();
+  paper_lattice.fluid.lattice_spacing_um = 0.4;
+  paper_lattice.fluid.force_density = 3.744e-4;
+  paper_lattice.cell.mesh_frequency = 10;
+  paper_lattice.geometry.row_shift_um = 4.8;
+  for (const auto& [lattice, past] : {std::pair{coarse_case(), 2.1}, std::pair{paper_lattice, 1.3}}) {
+    for (const double tau : {0.8, 1.1, 1.9}) {
+      SCOPED_TRACE(testing::Message() << "dx " << lattice.fluid.lattice_spacing_um << " um, tau " << tau);
+      Case c = lattice;
+      c.fluid.relaxation_time = tau;
+      c.stop.max_steps = 1500;
+      EXPECT_NE(test::run_scene(with_bending_share(c, 0.9)).status, Status::diverged);
+      EXPECT_EQ(test::run_scene(with_bending_share(c, past)).status, Status::diverged);
+    }
+  }
+}
+
+// As seen: the presets on the fine lattice keep their force density at every Ca and fail for stiff cells.
+TEST(Guards, TheBendingMarginKnowsTheStiffestCellOfAPreset) {
+  const auto share = [](const std::string& preset, double ca) {
+    const Case c = test::case_of(R"({"scene": "passage", "geometry": {"row_shift_um": 4.8}, "accuracy": ")" +
+                                 preset + R"(", "cell": {"capillary_number": )" + std::to_string(ca) + "}}");
+    return margin(stability_margins(c), "bending").share;
+  };
+  EXPECT_GT(share("reference", 0.2), 1);
+  EXPECT_LT(share("reference", 0.25), 1);
+  EXPECT_GT(share("refined", 0.15), 1);
+  EXPECT_LT(share("refined", 0.2), 1);
+  for (const std::string preset : {"draft", "standard", "corrected"}) EXPECT_LT(share(preset, 0.1), 1);
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ LOOKS = {
     "extrapolated-3": Look("#777777", "D", "extrapolated, dx → 0 (3 lattices)"),
     "blocked-lateral": Look(style.PURPLE, "s", "no net lateral flow", ("blocked",)),
     "blocked-corrected": Look(style.VERMILION, "s", "the same, corrected", ("blocked",)),
+    "blocked-corrected-0.2": Look(style.ORANGE, "D", "the same, corrected, dx = 0.2 μm", ("blocked",)),
 }
 
 

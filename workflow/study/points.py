@@ -99,13 +99,14 @@ def sensitivity(tier):
 
 
 def _settings_of(method, part):
-    """{setting: case} of a method: of the one it `extends`, of the ladder, and its own on top."""
+    """{setting: case} of a method: those that it names, from the method that it `extends` or the ladder, and
+    its own on top.
+    """
     entry = part["methods"][method]
-    settings = _settings_of(entry["extends"], part) if "extends" in entry else {}
-    settings |= {name: part["ladder"][name] for name in entry.get("ladder", [])}
-    return settings | {
-        name: merged(settings.get(name, {}), case) for name, case in entry.get("settings", {}).items()
-    }
+    own, ladder = entry.get("settings", {}), entry.get("ladder", [])
+    known = _settings_of(entry["extends"], part) if "extends" in entry else {}
+    known |= {name: part["ladder"][name] for name in ladder}
+    return {name: merged(known.get(name, {}), own.get(name, {})) for name in dict.fromkeys([*ladder, *own])}
 
 
 def accuracy(tier):
