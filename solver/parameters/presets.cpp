@@ -45,7 +45,7 @@ Json lattice(double spacing_um, const char* walls, double relaxation_time, doubl
 // `refined` keeps its Reynolds number on the finer lattice, where tau - 1/2 grows and the force density
 // falls with the number of nodes. The corrected kernel resolves a film that interpolated walls would squeeze:
 // central linear walls, and for these tau is free, so that it takes the inertia down (a seventh of that of
-// `standard`, with twice the steps). At tau 2.5 and 0.2 um a passage became unstable. Errors: the section
+// `standard`, with twice the steps), as far as the bending stiffness is borne. Errors: the section
 // Presets of results/accuracy_conclusions.md; critical Ca: at d = 6.8 um against the bracket of `reference`,
 // which is known to 3 % (results/tables/phase_boundary.csv); `standard` is near it by errors that cancel.
 const std::vector<Preset>& presets() {
