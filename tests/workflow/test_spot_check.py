@@ -93,7 +93,7 @@ def test_a_run_compares_with_its_own_row(results, committed):
 
 
 def test_the_programs_make_a_run_again_and_fail_where_it_comes_out_otherwise(
-    root, results, committed, tmp_path
+    root, results, committed, call, tmp_path
 ):
     program = tmp_path / "dld"
     program.write_text(f'#!/bin/sh\nexec "{sys.executable}" "{root}/tests/workflow/fake_solver.py" "$@"\n')
@@ -101,27 +101,21 @@ def test_the_programs_make_a_run_again_and_fail_where_it_comes_out_otherwise(
     table = pd.read_csv(committed, dtype=str, keep_default_na=False)
     table.loc[table.run == table.run[0], "d_perp_um"] = "1.000"
     table.to_csv(tmp_path / "committed.csv", index=False)
-    scripts, given = (
-        root / "workflow/scripts",
-        {"plan": results / "plan.json", "table": tmp_path / "committed.csv"},
-    )
-    given |= {"runs": tmp_path / "runs", "dld": program, "runner": scripts / "run_case"}
-
-    environment = {"PYTHONPATH": str(root / "workflow"), "PATH": "/usr/bin:/bin"}
-
-    def done(script, *words):
-        command = [sys.executable, scripts / f"{script}.py", *map(str, words)]
-        return subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
-
+    scripts, runs = root / "workflow/scripts", tmp_path / "runs"
+    given = {"plan": results / "plan.json", "table": tmp_path / "committed.csv", "runs": runs, "dld": program}
     other = table.run[table.run != table.run[0]].iloc[0]
     for run in (table.run[0], other):
-        words = [word for name, value in given.items() for word in (f"--{name}", value)]
-        made = done("spot_run", *words, "--run", run, "--output", tmp_path / f"{run}.json")
-        assert made.returncode == 0, made.stderr
+        call("spot_run", **given, runner=scripts / "run_case", run=run, output=tmp_path / f"{run}.json")
+
+    def checked(*arguments):
+        command = [sys.executable, scripts / "spot_check.py", *arguments]
+        environment = {"PYTHONPATH": str(root / "workflow"), "PATH": "/usr/bin:/bin"}
+        return subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
+
     assert json.loads((tmp_path / f"{other}.json").read_text())["verdict"] == "same"
-    good = done("spot_check", "--results", tmp_path / f"{other}.json", "--output", tmp_path / "one.csv")
+    good = checked("--results", tmp_path / f"{other}.json", "--output", tmp_path / "one.csv")
     assert (good.returncode, good.stdout.count("1 passages made again: 1 the same")) == (0, 1)
     both = [tmp_path / f"{run}.json" for run in (other, table.run[0])]
-    bad = done("spot_check", "--results", *both, "--output", tmp_path / "two.csv")
+    bad = checked("--results", *both, "--output", tmp_path / "two.csv")
     assert bad.returncode == 1
     assert sorted(read_table(tmp_path / "two.csv").verdict) == ["other", "same"]

@@ -20,5 +20,5 @@ solved(case, plan["solver_model"], arguments.runs, arguments.runner, arguments.d
 run = Run(arguments.run, "", {"sweep": committed["sweep"]}, case, Path(arguments.runs) / arguments.run)
 remade = texts(row_of(run))
 verdict, columns = compared(committed, remade)
-result = {"verdict": verdict, "columns": columns, "seconds": run.wall_s(), "row": committed, "remade": remade}
+result = {"verdict": verdict, "columns": columns, "row": committed, "remade": remade}
 Path(arguments.output).write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")

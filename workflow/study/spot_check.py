@@ -9,7 +9,7 @@ import random
 from study.brackets import at_value
 from study.passages import COLUMNS, STYLES
 from study.plan import run_id
-from study.tables import formatted
+from study.tables import cell
 
 #: Largest relative difference of D_perp that counts as the same result on another processor or compiler.
 CLOSE = 0.005
@@ -42,7 +42,7 @@ def case_of(row, plan):
 
 def texts(row):
     """A row of results as the table of passages shows it."""
-    return {name: formatted(row[name], STYLES.get(name, ".6g")) for name in COLUMNS}
+    return {name: cell(name, row[name], STYLES) for name in COLUMNS}
 
 
 def _equal(a, b):

@@ -23,6 +23,11 @@ def formatted(value, style):
     return str(value)
 
 
+def cell(name, value, styles):
+    """Text of one cell in the style of its column, or with six digits."""
+    return formatted(value, styles.get(name, ".6g"))
+
+
 def write_table(rows, columns, path, sort_by=(), styles=None):
     """Writes rows (dictionaries) with these columns; `styles` maps a column to a number format."""
     styles = styles or {}
@@ -31,7 +36,7 @@ def write_table(rows, columns, path, sort_by=(), styles=None):
     if len(frame) and sort_by:
         frame = frame.sort_values(list(sort_by), kind="stable")
     for name in columns:
-        frame[name] = [formatted(value, styles.get(name, ".6g")) for value in frame[name]]
+        frame[name] = [cell(name, value, styles) for value in frame[name]]
     Path(path).parent.mkdir(parents=True, exist_ok=True)
     frame.to_csv(path, index=False, lineterminator="\n")
 
