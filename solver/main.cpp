@@ -4,7 +4,8 @@
 ///   dld check case.json                                 resolved case, derived numbers, stability margins
 ///   dld schema                                          JSON Schema of case files
 ///
-/// Exit codes: 0 done, 2 bad parameters, 3 diverged, 4 input/output, 128 + signal when interrupted.
+/// Exit codes: 0 done, 2 bad parameters, 3 diverged, 4 input/output, 5 checkpoint of another case or build,
+/// 128 + signal when interrupted.
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <fstream>
@@ -30,6 +31,7 @@ enum ExitCode {
   bad_parameters = 2,
   diverged = 3,
   input_output = 4,
+  foreign_checkpoint = 5,
   signal_base = 128
 };
 
@@ -54,15 +56,16 @@ bool may_run(const Case& c, const std::string& file, bool force) {
 }
 
 // What became of a diverged run, for the user's eyes.
-void explain_divergence(const Json& summary, const std::string& output_file, bool state_kept) {
+void explain_divergence(const Json& summary, const Hdf5File& out, bool state_kept) {
   std::cerr << "diverged at step " << summary.value("failing_step", 0L) << ": "
             << summary.value("failing_quantity", "") << " = " << summary.value("failing_value", Json())
             << " (limit " << summary.value("failing_limit", Json()) << ") at "
             << summary.value("failing_place", "") << "\n  likely cure: " << summary.value("advice", "")
             << "\n";
-  if (state_kept)
-    std::cerr << "  last good shape: /membrane/last_good in " << output_file
-              << "; state at the last pillar line: " << output_file << ".last_good.checkpoint\n";
+  const std::string output = out.path().string();
+  if (summary.contains("last_good_step"))
+    std::cerr << "  last good shape: /membrane/last_good in " << output << "\n";
+  if (state_kept) std::cerr << "  state at the last pillar line: " << output << ".last_good.checkpoint\n";
 }
 
 void write_root_attributes(Hdf5File& out, const Case& c, const Json& summary, int threads) {
@@ -97,7 +100,9 @@ int run(const RunOptions& options) {
                      .threads = options.threads};
   const Status status = find_scene(c.scene)(c, context);
   if (status == Status::interrupted) {
-    std::cerr << "interrupted; the same command continues from " << context.checkpoint.string() << "\n";
+    std::cerr << "interrupted; the same command "
+              << (context.owns_checkpoint ? "continues from " + context.checkpoint.string() : "starts afresh")
+              << "\n";
     return signal_base + interrupted();
   }
 
@@ -114,12 +119,13 @@ int run(const RunOptions& options) {
   write_xdmf(out.path(), context.xdmf);
   write_summary(options.summary_file, summary);
   if (status != Status::diverged) {
-    std::filesystem::remove(context.checkpoint);
+    if (context.owns_checkpoint) std::filesystem::remove(context.checkpoint);
     return done;
   }
-  const bool state_kept = std::filesystem::exists(context.checkpoint);
-  if (state_kept) std::filesystem::rename(context.checkpoint, options.output_file + ".last_good.checkpoint");
-  explain_divergence(summary, options.output_file, state_kept);
+  if (context.owns_checkpoint) {
+    std::filesystem::rename(context.checkpoint, options.output_file + ".last_good.checkpoint");
+  }
+  explain_divergence(summary, out, context.owns_checkpoint);
   return diverged;
 }
 
@@ -179,6 +185,9 @@ int main(int argc, char** argv) {
   } catch (const dld::CaseError& error) {
     std::cerr << error.what() << "\n";
     return bad_parameters;
+  } catch (const dld::CheckpointMismatch& error) {
+    std::cerr << error.what() << "\n";
+    return foreign_checkpoint;
   } catch (const dld::IoError& error) {
     std::cerr << error.what() << "\n";
     return input_output;

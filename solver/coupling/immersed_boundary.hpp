@@ -30,7 +30,8 @@ class ImmersedBoundary {
   /// Stencils for the positions x (nv x 3, physical lattice coordinates of the unit cell). Nodes with
   /// near_solid set have their weights restricted to fluid nodes.
   void locate(const Eigen::MatrixX3d& x, const std::vector<std::uint8_t>& near_solid);
-  /// Adds the forces f (nv x 3) to lattice.force; the total over fluid nodes equals the total over nodes.
+  /// Adds the forces f (nv x 3) to lattice.force; the total over fluid nodes equals the total over nodes
+  /// (but for those with no fluid node in their stencil, deep inside a pillar, whose force is lost).
   void spread(const Eigen::MatrixX3d& f);
   /// v (nv x 3) = lattice.velocity at the nodes, zero inside solids.
   void interpolate(Eigen::MatrixX3d& v);

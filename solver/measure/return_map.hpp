@@ -55,7 +55,8 @@ struct MapBracket {
 ///   must be below the tolerance. A small step alone never counts: in the bottleneck of a saddle-node the
 ///   ratios tend to 1 and the quadratic has no root. (Noise hides the curvature of the map over the last few
 ///   hundredths of a lattice spacing; a map that bends by more than about 0.3 per lu there could deceive it.)
-///   Or: three steps below the noise, unless the last measurable ratio was that of a creep.
+///   Or it rests: its last four steps stay within twice the tolerance and go both ways (a creep keeps its
+///   direction), or are all below the noise, unless the last measurable ratio was that of a creep.
 /// - undecided: neither within the row limit. The start transient is the row of the first zig, or half a
 ///   cycle, ceil(1/(2 eps)) rows, when there was none.
 class ReturnMap {

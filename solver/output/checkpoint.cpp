@@ -34,6 +34,11 @@ Checkpoint::Value load_value(const Hdf5Reader& file, const std::string& dataset)
 
 }  // namespace
 
+CheckpointMismatch::CheckpointMismatch(const std::filesystem::path& path)
+    : IoError(path.string() +
+              " is the checkpoint of another case or another build of the solver; remove it or start with "
+              "--no-resume") {}
+
 template <class T>
 const T& Checkpoint::get(const std::string& name) const {
   const auto entry = values_.find(name);
@@ -47,10 +52,6 @@ template const std::vector<double>& Checkpoint::get(const std::string&) const;
 template const std::vector<float>& Checkpoint::get(const std::string&) const;
 template const std::vector<std::int64_t>& Checkpoint::get(const std::string&) const;
 template const std::string& Checkpoint::get(const std::string&) const;
-
-double Checkpoint::number(const std::string& name) const {
-  return get<std::vector<double>>(name).at(0);
-}
 
 std::int64_t Checkpoint::integer(const std::string& name) const {
   return get<std::vector<std::int64_t>>(name).at(0);
@@ -67,11 +68,7 @@ void Checkpoint::save(const std::filesystem::path& path) const {
 std::optional<Checkpoint> Checkpoint::load(const std::filesystem::path& path, const std::string& case_text) {
   if (!std::filesystem::exists(path)) return std::nullopt;
   const Hdf5Reader file(path);
-  if (file.text_attribute("/", "case") != case_text) {
-    throw IoError(path.string() +
-                  " is the checkpoint of another case or another build of the solver; remove it or start "
-                  "with --no-resume");
-  }
+  if (file.text_attribute("/", "case") != case_text) throw CheckpointMismatch(path);
   Checkpoint checkpoint(case_text);
   if (file.exists(arrays)) {
     for (const auto& name : file.members(arrays)) {

@@ -8,7 +8,14 @@
 #include <variant>
 #include <vector>
 
+#include "output/hdf5_file.hpp"
+
 namespace dld {
+
+/// The checkpoint belongs to another case or another build; nothing was read from it, and it is left alone.
+struct CheckpointMismatch : IoError {
+  explicit CheckpointMismatch(const std::filesystem::path& path);
+};
 
 /// A scene fills it with set(), saves it, and on resuming reads it with get(). The resolved case goes
 /// with it, so that the state of one case never continues another.
@@ -23,16 +30,15 @@ class Checkpoint {
   void set(const std::string& name, double value) { values_[name] = std::vector<double>{value}; }
   void set(const std::string& name, std::int64_t value) { values_[name] = std::vector<std::int64_t>{value}; }
 
-  bool has(const std::string& name) const { return values_.contains(name); }
   /// The array or text stored under `name`, T being one of the four types of Value; IoError if absent.
   template <class T>
   const T& get(const std::string& name) const;
-  double number(const std::string& name) const;         ///< a single double
   std::int64_t integer(const std::string& name) const;  ///< a single integer
 
   /// Written aside and renamed: an interrupted save leaves the previous checkpoint.
   void save(const std::filesystem::path& path) const;
-  /// Nothing if there is no such file; IoError if it is damaged or belongs to another case.
+  /// Nothing if there is no such file; CheckpointMismatch if it belongs to another case, IoError if it is
+  /// damaged.
   static std::optional<Checkpoint> load(const std::filesystem::path& path, const std::string& case_text);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// SIGINT and SIGTERM ask a run to stop at its next step, with a checkpoint.
+/// SIGINT and SIGTERM ask a run to stop at its next check; a passage goes on later from its last pillar line.
 
 namespace dld {
 

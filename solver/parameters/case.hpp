@@ -50,7 +50,7 @@ struct CellParameters {
   double volume_modulus = 563.08;             ///< kV r / (p' l r), used by "penalty"
   double viscosity_ratio = 5.0;               ///< inside / outside
   std::string viscosity_field = "sharp";      ///< "sharp" | "smoothed"
-  int viscosity_update_interval = 5;          ///< steps between updates of the inside/outside field
+  int viscosity_update_interval = 5;          ///< membrane updates from one inside/outside field to the next
   StartParameters start;
 };
 

@@ -106,9 +106,33 @@ void check_start_in_plane(const Case& c, std::vector<Problem>& problems) {
                           " for /cell/start/x_um (between two rows)"});
 }
 
+// Rows are counted from the pillar line x = 0, which the centre must have before it.
+void check_start_row(const Case& c, std::vector<Problem>& problems) {
+  const double x_um = c.cell.start.x_um, dx = c.fluid.lattice_spacing_um;
+  if (x_um <= -dx) return;
+  problems.push_back({"/cell/start/x_um", number_text(x_um),
+                      "at most " + number_text(-dx) + ", a lattice spacing before the pillar line x = 0",
+                      "use " + number_text(-c.geometry.pitch_um / 2) + " (between two rows)"});
+}
+
+// Places of populations are counted with 32 bits.
+void check_size(const Case& c, std::vector<Problem>& problems) {
+  const auto& g = c.geometry;
+  const double dx = c.fluid.lattice_spacing_um, halves = g.height == "half" ? 0.5 : 1.0;
+  const double volume_um3 = g.pitch_um * g.pitch_um * g.depth_um * halves;
+  constexpr double directions = 19, most_nodes = 4294967296.0 / directions;
+  if (volume_um3 / (dx * dx * dx) < most_nodes) return;
+  problems.push_back(
+      {"/fluid/lattice_spacing_um", number_text(dx),
+       "at most " + number_text(std::floor(most_nodes)) + " nodes in the unit cell",
+       "use at least " + number_text(std::ceil(1e4 * std::cbrt(volume_um3 / most_nodes)) / 1e4)});
+}
+
 void check_passage(const Case& c, std::vector<Problem>& problems) {
   check_array(c, problems);
   check_depth(c, problems);
+  check_size(c, problems);
+  check_start_row(c, problems);
   check_start_height(c, problems);
   check_start_in_plane(c, problems);
   if (c.geometry.row_shift_um == 0 && c.stop.max_rows == 0) {
@@ -124,6 +148,18 @@ void check_passage(const Case& c, std::vector<Problem>& problems) {
 void check_streamlines(const Case& c, std::vector<Problem>& problems) {
   check_array(c, problems);
   check_depth(c, problems);
+  check_size(c, problems);
+}
+
+// Some vertex besides the tip, which a mesh need not have, has to lie within the patch that is pulled at.
+void check_stretching(const Case& c, std::vector<Problem>& problems) {
+  // The icosahedral mesh has n edges along an arc of 63 degrees.
+  const double edge_um = 1.1 * c.cell.radius_um / c.cell.mesh_frequency;
+  if (c.stretching.contact_radius_um >= edge_um && c.stretching.contact_radius_um < c.cell.radius_um) return;
+  problems.push_back({"/stretching/contact_radius_um", number_text(c.stretching.contact_radius_um),
+                      "at least an edge of the mesh, " + number_text(std::ceil(100 * edge_um) / 100) +
+                          " um, and less than the radius of the cell",
+                      "raise it, or raise /cell/mesh_frequency"});
 }
 
 void check_channel(const Case& c, std::vector<Problem>& problems) {
@@ -148,6 +184,7 @@ std::vector<Problem> inconsistencies(const Case& c) {
   std::vector<Problem> problems;
   if (c.scene == "passage") check_passage(c, problems);
   if (c.scene == "streamlines") check_streamlines(c, problems);
+  if (c.scene == "stretching") check_stretching(c, problems);
   if (c.scene == "channel") check_channel(c, problems);
   if (c.scene == "shear") check_shear(c, problems);
   return problems;

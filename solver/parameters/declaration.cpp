@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/pillar.hpp"
+#include "membrane/mesh.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/text.hpp"
 
@@ -84,8 +85,7 @@ std::vector<Declaration> geometry_and_fluid() {
 
 std::vector<Declaration> cell() {
   return {
-      {"cell", "shape", at<&Case::cell, &L::shape>, one_of({"red_blood_cell", "sphere"}), "",
-       "stress-free shape"},
+      {"cell", "shape", at<&Case::cell, &L::shape>, one_of(cell_shape_names()), "", "stress-free shape"},
       {"cell", "radius_um", at<&Case::cell, &L::radius_um>, above(0, 1000), "um", "r, largest radius"},
       {"cell", "mesh_frequency", at<&Case::cell, &L::mesh_frequency>, between(1, 200), "1",
        "n of the subdivided icosahedron; 20 n^2 faces"},
@@ -107,9 +107,9 @@ std::vector<Declaration> cell() {
       {"cell", "viscosity_field", at<&Case::cell, &L::viscosity_field>, one_of({"sharp", "smoothed"}), "",
        "transition of the viscosity across the membrane"},
       {"cell", "viscosity_update_interval", at<&Case::cell, &L::viscosity_update_interval>,
-       between(1, 100000), "steps", "between updates of the inside/outside field"},
-      {"cell/start", "x_um", at<&Case::cell, &L::start, &S::x_um>, any(), "um",
-       "centre along x, relative to the pillar line of row 0"},
+       between(1, 100000), "updates", "of the membrane from one inside/outside field to the next"},
+      {"cell/start", "x_um", at<&Case::cell, &L::start, &S::x_um>, between(-1e5, 0), "um",
+       "centre along x, relative to the pillar line of row 0, which it has before it"},
       {"cell/start", "gap_position_um", at<&Case::cell, &L::start, &S::gap_position_um>, any(), "um",
        "centre above the surface of the pillar below; a negative value leaves the choice to the solver"},
       {"cell/start", "z_um", at<&Case::cell, &L::start, &S::z_um>, any(), "um",

@@ -39,13 +39,17 @@ constexpr double kink_symbol = 0.375 * 0.67, kink_limit = 1.6;
 // plain kernel bears, and do not at 9.75. In our reading it takes the load of one side of the thin cell for
 // that of the other.
 constexpr double corrected_radius_limit = 8.0;
-// Fitted on head-on starts: least repulsion K / (p' l dx^2) times Ca that keeps a cell out of the pillar, and
-// the Ca above which it touches the bottom or top wall when these do not repel.
-constexpr double least_repulsion = 0.002, wall_contact_capillary = 1.5;
+// Fitted on head-on starts with a range h0 of dx: least repulsion K / (p' l h0^2) times Ca that keeps a cell
+// out of the pillar (0.009 did not, 0.015 did), and the Ca above which it touches the bottom or top wall when
+// these do not repel.
+constexpr double least_repulsion = 0.012, wall_contact_capillary = 1.5;
 // Fitted, full equilibrium: Reynolds number (slit, l = sqrt(G H)) from which a cell is driven to the wall.
 constexpr double inertia_limit = 2.5;
 // Largest modulus (lu) that explicit coupling was seen to bear.
 constexpr double volume_modulus_limit = 1.2;
+// Fitted with BGK, where tau - 1/2 is also the relaxation of the odd moments: cells at 0.1 and less were
+// driven to a wall or the fluid diverged at every force density, at 0.3 they ran.
+constexpr double bgk_relaxation_limit = 0.15;
 // Speed (lu) at which compressibility, of order (u/cs)^2 = 3 %, is no longer small, and the Mach number of
 // 0.5 at which the monitors stop a run. The estimate below agrees with the largest speed to about 10 per
 // cent.
@@ -82,6 +86,17 @@ Margin above(const std::string& name, double value, double limit, const std::str
 }
 
 const std::string softer = "reduce /fluid/force_density (at fixed Ca all moduli fall with it)";
+
+// The moduli (lu) that the scene simulates: the coupled tweezer has a shear modulus of its own.
+LatticeParameters simulated(const Case& c) {
+  LatticeParameters l = to_lattice(c);
+  if (c.scene != "stretching") return l;
+  l.shear_modulus = coupled_stretching_shear_modulus;
+  l.bending_modulus = c.cell.bending_ratio * l.shear_modulus * l.cell_radius * l.cell_radius;
+  l.local_area_modulus = c.cell.local_area_modulus * l.shear_modulus;
+  l.volume_modulus = c.cell.volume_modulus * l.shear_modulus / l.cell_radius;
+  return l;
+}
 
 // True moduli of the Skalak law at small strain: shear G = 4 kS/k, area K = G + 2 kalpha/3.
 void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>& margins) {
@@ -127,8 +142,9 @@ void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Mar
 
 void contact_margins(const Case& c, std::vector<Margin>& margins) {
   const double ca = c.cell.capillary_number;
-  margins.push_back(above("pillar repulsion times Ca", c.coupling.pillar_repulsion * ca, least_repulsion,
-                          "p' l dx^2", "raise /coupling/pillar_repulsion"));
+  const double range = c.coupling.repulsion_range;
+  margins.push_back(above("pillar repulsion times Ca", c.coupling.pillar_repulsion * ca / (range * range),
+                          least_repulsion, "p' l h0^2", "raise /coupling/pillar_repulsion"));
   if (c.coupling.wall_repulsion > 0) return;
   margins.push_back(below("Ca without repulsion from the walls", ca, wall_contact_capillary, "1",
                           "set /coupling/wall_repulsion: so soft a cell may touch the walls", false));
@@ -144,9 +160,13 @@ void flow_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>
   margins.push_back(below("density variation 3 f lambda", density, density_limit, "1", slower));
   margins.push_back(
       below("density variation, for accuracy", density, accurate_density_limit, "1", slower, false));
-  if (c.fluid.equilibrium == "full") {
+  if (c.scene == "passage" && c.fluid.equilibrium == "full") {
     margins.push_back(below("Reynolds number", 0.5 * speed * l.length_scale / l.viscosity, inertia_limit, "1",
                             slower + ", or raise /fluid/relaxation_time"));
+  }
+  if (c.scene == "passage" && c.fluid.collision == "bgk") {
+    margins.push_back(above("relaxation time - 1/2, BGK", c.fluid.relaxation_time - 0.5, bgk_relaxation_limit,
+                            "1", "raise /fluid/relaxation_time, or use trt"));
   }
   margins.push_back(below("row shift / pitch", c.geometry.row_shift_um / c.geometry.pitch_um, row_shift_limit,
                           "1", "mirror the array: a shift d is a shift pitch - d to the other side", false));
@@ -156,14 +176,12 @@ void flow_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>
 
 std::vector<Margin> stability_margins(const Case& c) {
   const bool passage = c.scene == "passage";
-  if (!passage && !(c.scene == "stretching" && c.stretching.method == "coupled")) return {};
-  const LatticeParameters l = to_lattice(c);
+  const bool coupled_stretching = c.scene == "stretching" && c.stretching.method == "coupled";
+  const LatticeParameters l = simulated(c);
   std::vector<Margin> margins;
-  membrane_margins(c, l, margins);
-  if (passage) {
-    contact_margins(c, margins);
-    flow_margins(c, l, margins);
-  }
+  if (passage || coupled_stretching) membrane_margins(c, l, margins);
+  if (passage) contact_margins(c, margins);
+  if (passage || c.scene == "streamlines") flow_margins(c, l, margins);
   return margins;
 }
 

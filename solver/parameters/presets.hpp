@@ -21,7 +21,7 @@ struct Preset {
   ExpectedError error;
 };
 
-/// The presets, from cheap to accurate. `standard` repeats the defaults of struct Case.
+/// The presets, by lattice from coarse to fine. `standard` repeats the defaults of struct Case.
 const std::vector<Preset>& presets();
 std::vector<std::string> preset_names();
 const Preset& preset(const std::string& name);

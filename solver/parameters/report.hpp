@@ -8,7 +8,7 @@
 
 namespace dld {
 
-/// All members of LatticeParameters by name.
+/// The members of LatticeParameters by name, of the device (other scenes have boxes of their own).
 nlohmann::ordered_json lattice_numbers(const Case& c);
 
 /// epsilon, Ca, the moduli in units of kS, confinement, Re of the empty slit, mesh edge / dx.
@@ -21,8 +21,8 @@ nlohmann::ordered_json si_numbers(const Case& c);
 double memory_MiB(const Case& c);
 
 /// What a passage or a cell-free flow will cost: steps per pillar row at the mean speed of an unobstructed
-/// slit times 0.6 (the array's share), node updates for a typical ten rows, and seconds at 60 million node
-/// updates per second, a slow core's rate with the cell included.
+/// slit times 0.6 (the array's share), node updates for a typical ten rows, and seconds at 150 million node
+/// updates per second, the rate of a core with AVX-512, the cell included, on the paper's lattice.
 nlohmann::ordered_json expected_cost(const Case& c);
 
 nlohmann::ordered_json margins_json(const std::vector<Margin>& margins);

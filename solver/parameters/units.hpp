@@ -31,6 +31,10 @@ struct LatticeParameters {
 
 LatticeParameters to_lattice(const Case& c);
 
+/// kS (lu) in the coupled tweezer, whose result does not depend on it: stiff enough to relax soon, soft
+/// enough for the explicit coupling. Its other moduli are the case's times this.
+constexpr double coupled_stretching_shear_modulus = 0.02;
+
 /// SI scales for a fluid of viscosity eta_Pa_s and a membrane of shear modulus kS_N_per_m.
 struct SiScales {
   double pressure_gradient_Pa_per_m = 0;     ///< p' that gives the case's Ca: Ca kS / (l r)

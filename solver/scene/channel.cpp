@@ -82,6 +82,8 @@ Status run(const Case& c, RunContext& context) {
   const double centre_line = exact_velocity(0.0, 0.0, width, l.depth, l.force_density / l.viscosity);
   context.summary["max_relative_error"] = largest / centre;
   context.summary["slip"] = (simulated.front() - exact.front()) / centre_line;
+  if (const auto failure = check_fluid(lattice, steady.flow, l.um_per_lu))
+    report_failure(*failure, steady.steps, context.summary);
   context.summary["mean_velocity"] = steady.flow.velocity[0];
   context.summary["steps"] = steady.steps;
   context.summary["node_updates"] = steady.steps * static_cast<long>(lattice.fluid_nodes());

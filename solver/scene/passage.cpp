@@ -47,6 +47,7 @@ class PassageRun {
   }
 
   Status run() {
+    load_checkpoint();
     const SteadyState steady =
         run_to_steady_state(lattice_, lateral_, std::max(1e-6, case_.stop.steady_tolerance),
                             case_.stop.max_steps, context_.progress);
@@ -63,8 +64,8 @@ class PassageRun {
                   start_positions(case_, membrane_.reference().vertices, pillars_, field));
     // Whole updates of the cell, and an even number of steps: populations in place, nothing half done.
     const int unit = 2 * case_.coupling.steps_per_update;
-    sample_interval_ =
-        std::max(unit, std::min(static_cast<int>(0.2 / mean_velocity_), longest_interval) / unit * unit);
+    const double interval = std::min(0.2 / mean_velocity_, static_cast<double>(longest_interval));
+    sample_interval_ = std::max(unit, static_cast<int>(interval) / unit * unit);
     resume();
     if (steps_ == 0) save_checkpoint();  // a state to go back to, should the run fail before the first line
     context_.progress.start("passage");
@@ -76,6 +77,8 @@ class PassageRun {
  private:
   /// Steps between checks, at the most: trouble is seen within a few hundred steps.
   static constexpr int longest_interval = 200;
+  /// Distances from here on (lu) mean that there is no pillar or no wall.
+  static constexpr double no_film = 1e300;
 
   static ReturnMapOptions map_options(const Case& c) {
     ReturnMapOptions options;
@@ -179,10 +182,11 @@ class PassageRun {
     last_recorded_ = centre;
     const Eigen::RowVector3d extent = x.colwise().maxCoeff() - x.colwise().minCoeff();
     const double um = l_.um_per_lu;
-    record_.trajectory.append(
-        {static_cast<double>(steps_), centre.x() * um, centre.y() * um, centre.z() * um, extent.x() * um,
-         extent.y() * um, extent.z() * um, state.area / membrane_.reference_area() - 1.0,
-         state.volume / membrane_.reference_volume() - 1.0, state.min_face_ratio, cell_->film() * um});
+    record_.trajectory.append({static_cast<double>(steps_), centre.x() * um, centre.y() * um, centre.z() * um,
+                               extent.x() * um, extent.y() * um, extent.z() * um,
+                               state.area / membrane_.reference_area() - 1.0,
+                               state.volume / membrane_.reference_volume() - 1.0, state.min_face_ratio,
+                               cell_->film() < no_film ? cell_->film() * um : NAN});
     const int per_row = case_.output.snapshots_per_row;
     if (per_row == 0) return;
     const auto index = static_cast<long>(std::floor(centre.x() * per_row / l_.nx));
@@ -229,21 +233,34 @@ class PassageRun {
     checkpoint.set("last_recorded", std::vector<double>(last_recorded_.data(), last_recorded_.data() + 3));
     record_.save(checkpoint);
     checkpoint.save(context_.checkpoint);
+    context_.owns_checkpoint = true;
+  }
+
+  /// Read before anything is simulated, so that a checkpoint that does not fit is known at once. Builds of
+  /// the same commit can still differ in the layout of their arrays.
+  void load_checkpoint() {
+    if (!context_.resume) return;
+    saved_ = Checkpoint::load(context_.checkpoint, identity());
+    if (!saved_) return;
+    const bool fits = saved_->get<std::vector<Real>>("populations").size() == lattice_.populations().size() &&
+                      static_cast<Eigen::Index>(saved_->get<std::vector<double>>("positions").size()) ==
+                          3 * membrane_.vertex_count();
+    if (!fits) throw CheckpointMismatch(context_.checkpoint);
+    context_.owns_checkpoint = true;
   }
 
   void resume() {
-    if (!context_.resume) return;
-    const std::optional<Checkpoint> checkpoint = Checkpoint::load(context_.checkpoint, identity());
-    if (!checkpoint) return;
-    lattice_.populations() = checkpoint->get<std::vector<Real>>("populations");
-    const auto& force = checkpoint->get<std::vector<double>>("uniform_force");
+    if (!saved_) return;
+    lattice_.populations() = saved_->get<std::vector<Real>>("populations");
+    const auto& force = saved_->get<std::vector<double>>("uniform_force");
     lattice_.set_uniform_force(force[0], force[1], 0.0);
-    steps_ = checkpoint->integer("steps");
-    row_ = static_cast<int>(checkpoint->integer("row"));
-    last_snapshot_ = checkpoint->integer("last_snapshot");
-    cell_->restore(to_matrix(checkpoint->get<std::vector<double>>("positions")), steps_);
-    last_recorded_ = to_matrix(checkpoint->get<std::vector<double>>("last_recorded")).row(0).transpose();
-    record_.load(*checkpoint);
+    steps_ = saved_->integer("steps");
+    row_ = static_cast<int>(saved_->integer("row"));
+    last_snapshot_ = saved_->integer("last_snapshot");
+    cell_->restore(to_matrix(saved_->get<std::vector<double>>("positions")), steps_);
+    last_recorded_ = to_matrix(saved_->get<std::vector<double>>("last_recorded")).row(0).transpose();
+    record_.load(*saved_);
+    saved_.reset();
     const auto& y = record_.crossings.column("y_um");
     for (std::size_t k = 0; k < y.size(); ++k) {
       map_.add(crossing_at(y[k] / l_.um_per_lu, static_cast<int>(k), l_.ny, l_.row_shift, pillar_top_));
@@ -287,13 +304,19 @@ class PassageRun {
     const MapBracket bracket = map_.bracket();
     s["map_limit_um"] = bracket.limit * um;
     s["map_ratio"] = bracket.ratio;
+    const auto length = [um](double x) {
+      return std::isnan(x) ? nlohmann::ordered_json() : nlohmann::ordered_json(x * um);
+    };
+    s["map_step_um"] = bracket.step * um;
+    s["map_lowest_bump_um"] = length(bracket.lowest_bump);
+    s["map_highest_zig_um"] = length(bracket.highest_zig);
     s["crossings"] = record_.crossings.size();
     s["zigs"] = map_.zigs();
     s["area_change"] = record_.extremes.area_change;
     s["volume_change"] = record_.extremes.volume_change;
     s["max_local_area_strain"] = record_.extremes.local_area_strain;
     s["min_face_ratio"] = record_.extremes.min_face_ratio;
-    const auto distance = [um](double d) { return d < 1e300 ? nlohmann::ordered_json(d * um) : nullptr; };
+    const auto distance = [um](double d) { return d < no_film ? nlohmann::ordered_json(d * um) : nullptr; };
     s["smallest_film_um"] = distance(record_.extremes.film);
     s["smallest_wall_gap_um"] = distance(record_.extremes.wall_gap);
     s["max_speed"] = record_.extremes.speed;
@@ -325,6 +348,7 @@ class PassageRun {
 
   PassageRecord record_;
   PassageExtent extent_{0.0};
+  std::optional<Checkpoint> saved_;  ///< what the run goes on from; empty once it does
   std::optional<Failure> failure_;
   MembraneSnapshot last_good_;  ///< shape at the last sample that passed all checks
   Eigen::Vector3d last_recorded_ = Eigen::Vector3d::Zero();

@@ -17,7 +17,7 @@ enum class Status {
   zigzag,       ///< passage: fell back a lane again and again
   undecided,    ///< passage: no proof of either within the allowed rows or steps
   diverged,     ///< a quantity left its bounds; the summary names it
-  interrupted,  ///< by a signal; a checkpoint was saved
+  interrupted,  ///< by a signal; what a scene saves for its continuation is its checkpoint, if it has one
 };
 
 std::string to_string(Status status);
@@ -27,11 +27,12 @@ std::string to_string(Status status);
 struct RunContext {
   Hdf5File& out;
   Progress& progress;
-  std::filesystem::path checkpoint;  ///< where to save the state when interrupted
+  std::filesystem::path checkpoint;  ///< where to save the state (scene `passage`, at every pillar line)
   bool resume = true;                ///< continue from the checkpoint if there is one
   nlohmann::ordered_json summary = nlohmann::ordered_json::object();
   XdmfDescription xdmf = {};
-  int threads = 1;  ///< that share a time step; results do not depend on it
+  int threads = 1;               ///< that share a time step; results do not depend on it
+  bool owns_checkpoint = false;  ///< set by a scene that has read or written the file `checkpoint`
 };
 
 using SceneFunction = Status (*)(const Case&, RunContext&);

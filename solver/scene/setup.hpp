@@ -1,5 +1,5 @@
 #pragma once
-/// From a case to the objects of a scene. What the names in the case mean is decided here and nowhere else.
+/// From a case to the objects of a scene: what most names in the case mean is decided here.
 #include <memory>
 
 #include "coupling/coupled_cell.hpp"

@@ -53,8 +53,9 @@ Status run(const Case& c, RunContext& context) {
   if (c.cell.volume_control == "penalty") moduli.volume = c.cell.volume_modulus * moduli.shear / a;
   Membrane membrane(make_cell(c.cell.shape, c.cell.mesh_frequency, a), moduli);
   const PillarArray no_pillars(make_pillar("none", {}), n, n, 0.0);
-  CoupledCell<Real> cell(lattice, membrane, no_pillars, make_coupling_model(c),
-                         membrane.reference().vertices);
+  CouplingModel coupling = make_coupling_model(c);
+  coupling.wall_height = 0.5 * n;  // the walls are those of the box
+  CoupledCell<Real> cell(lattice, membrane, no_pillars, coupling, membrane.reference().vertices);
 
   ColumnTable series({{"time", "1/gdot", "time times shear rate", {}},
                       {"deformation", "1", "(L - B)/(L + B) of the equivalent ellipsoid", {}},
@@ -94,9 +95,10 @@ Status run(const Case& c, RunContext& context) {
   const double gs = 4.0 * moduli.shear / moduli.skalak_denominator, ks = gs + 2.0 * moduli.local_area / 3.0;
   context.summary["deformation"] = deformation;
   context.summary["deformation_theory"] = 0.625 * l.viscosity * rate * a * (3.0 / gs + 1.0 / ks);
-  context.summary["steps"] = std::min(step, steps);
-  context.summary["node_updates"] = steps * static_cast<long>(lattice.fluid_nodes());
-  context.summary["membrane_updates"] = steps * membrane.vertex_count();
+  const long done = std::min(step, steps);
+  context.summary["steps"] = done;
+  context.summary["node_updates"] = done * static_cast<long>(lattice.fluid_nodes());
+  context.summary["membrane_updates"] = done * membrane.vertex_count();
   if (series.size() > 0) series.write(context.out, "/shear");
   return status;
 }

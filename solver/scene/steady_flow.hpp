@@ -64,7 +64,9 @@ SteadyState run_to_steady_state(Lattice<Real>& lattice, const LateralFlow& later
   double previous = 0.0, first_log = 0.0;
   int quiet = 0;
   progress.start("steady flow", 1.0);
-  while (state.steps < max_steps) {
+  // An even number: populations are in place then, which moments, statistics and a checkpoint rely on.
+  const long last_step = max_steps + max_steps % 2;
+  while (state.steps < last_step) {
     lattice.step();
     ++state.steps;
     if (state.steps % LateralFlow::interval != 0) continue;

@@ -71,15 +71,15 @@ UnitCell quiescent_box(double radius) {
 template <class Real>
 std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& status) {
   const LatticeParameters l = to_lattice(c);
-  // Stiff enough to relax soon, soft enough for the explicit coupling.
-  constexpr double shear_lu = 0.02;
+  constexpr double shear_lu = coupled_stretching_shear_modulus;
   Lattice<Real> lattice(quiescent_box(l.cell_radius), make_fluid_model(c));
   lattice.set_threads(context.threads);
   Membrane membrane(make_cell(c.cell.shape, c.cell.mesh_frequency, l.cell_radius),
                     stretching_moduli(c, shear_lu, l.cell_radius, c.cell.volume_control == "penalty"));
   const PillarArray no_pillars(make_pillar("none", {}), lattice.cell().nx, lattice.cell().ny, 0.0);
-  CoupledCell<Real> cell(lattice, membrane, no_pillars, make_coupling_model(c),
-                         membrane.reference().vertices);
+  CouplingModel coupling = make_coupling_model(c);
+  coupling.wall_height = lattice.cell().nz;  // the far wall; the mirror plane is z = 0
+  CoupledCell<Real> cell(lattice, membrane, no_pillars, coupling, membrane.reference().vertices);
   const ContactPatches patches(membrane.reference().vertices, c.stretching.contact_radius_um / l.um_per_lu);
   cell.external_forces = Eigen::MatrixX3d::Zero(membrane.vertex_count(), 3);
 

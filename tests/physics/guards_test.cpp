@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "parameters/limits.hpp"
 #include "scene/monitor.hpp"
@@ -161,6 +162,40 @@ TEST(Guards, TheBendingMarginForeseesAStiffMembrane) {
       EXPECT_EQ(test::run_scene(with_bending_share(c, past)).status, Status::diverged);
     }
   }
+}
+
+// With BGK a small relaxation time is a small magic parameter; TRT keeps its own and bears it.
+TEST(Guards, TheBgkMarginForeseesASmallRelaxationTime) {
+  for (const auto& [collision, tau, fails] :
+       {std::tuple{"bgk", 0.6, true}, std::tuple{"bgk", 0.8, false}, std::tuple{"trt", 0.6, false}}) {
+    SCOPED_TRACE(testing::Message() << collision << ", tau " << tau);
+    Case c = coarse_case();
+    c.fluid.collision = collision;
+    c.fluid.relaxation_time = tau;
+    EXPECT_EQ(tightest(stability_margins(c))->share > 1, fails) << tightest(stability_margins(c))->name;
+    EXPECT_EQ(test::run_scene(c).status == Status::diverged, fails);
+  }
+}
+
+TEST(Guards, AFlowWithoutACellIsLabelledToo) {
+  for (const std::string scene : {"channel", "streamlines"}) {
+    Case c = coarse_case();
+    c.scene = scene;
+    c.fluid.relaxation_time = 5;
+    c.fluid.force_density = 0.5;
+    expect_stop(c, "speed of the fluid", 1000);
+  }
+}
+
+// The walls that repel are those of the box and not those of the device of the case's defaults.
+TEST(Guards, RepellingWallsOfAShearedBoxAreFarFromTheCapsule) {
+  Case c = test::case_of(R"({"scene": "shear", "fluid": {"lattice_spacing_um": 1},
+      "cell": {"shape": "sphere", "radius_um": 6, "mesh_frequency": 6, "local_area_modulus": 1},
+      "shear": {"duration": 0.02}})");
+  const double without = test::run_scene(c).summary["deformation"];
+  c.coupling.wall_repulsion = c.coupling.pillar_repulsion;
+  EXPECT_GT(without, 0);
+  EXPECT_EQ(test::run_scene(c).summary["deformation"].get<double>(), without);
 }
 
 // As seen: the presets on the fine lattice keep their force density at every Ca and fail for stiff cells.

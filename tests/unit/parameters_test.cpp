@@ -251,14 +251,27 @@ TEST(Margins, WarnOfACoarseLatticeWithTheCorrectedKernel) {
   EXPECT_FALSE(warned());
 }
 
-TEST(Margins, OnlyForCoupledMembranes) {
+TEST(Margins, AreThoseOfTheScene) {
   Case c;
   c.scene = "stretching";
   EXPECT_TRUE(stability_margins(c).empty());
-  c.stretching.method = "coupled";
-  EXPECT_FALSE(stability_margins(c).empty());
   c.scene = "streamlines";
-  EXPECT_TRUE(stability_margins(c).empty());
+  const auto flow = stability_margins(c);
+  EXPECT_FALSE(flow.empty());
+  EXPECT_TRUE(std::ranges::none_of(
+      flow, [](const Margin& m) { return m.name.find("stiffness") != std::string::npos; }));
+}
+
+// The coupled tweezer has a shear modulus of its own; the driving force, which it does not use, changes
+// nothing.
+TEST(Margins, OfTheCoupledTweezerGoWithItsOwnModuli) {
+  Case c;
+  c.scene = "stretching";
+  c.stretching.method = "coupled";
+  EXPECT_LT(tightest(stability_margins(c))->share, 1);
+  c.fluid.force_density = 1e-8;
+  c.cell.local_area_modulus = 1000;  // K = 13 lu
+  EXPECT_GT(tightest(stability_margins(c))->share, 1);
 }
 
 }  // namespace

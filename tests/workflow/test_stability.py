@@ -5,7 +5,9 @@ Where the solver is built, its guards too.
 
 import json
 import os
+import signal
 import subprocess
+import time
 from pathlib import Path
 
 import h5py
@@ -163,6 +165,51 @@ def test_a_diverged_run_keeps_its_last_good_state(tmp_path):
         assert np.isfinite(shape).all() and len(shape) == len(file["membrane/reference"])
     assert (tmp_path / "run.h5.last_good.checkpoint").exists()
     assert not (tmp_path / "run.h5.checkpoint").exists()
+
+
+def rows_passed(checkpoint):
+    """Pillar lines that a run has left behind, by its checkpoint."""
+    try:
+        with h5py.File(checkpoint) as file:
+            return int(file["arrays/row"][0])
+    except OSError:  # not there yet
+        return 0
+
+
+@needs_solver
+def test_an_interrupted_passage_goes_on_where_it_was(tmp_path):
+    case = write_case(tmp_path, stop={"max_rows": 5})
+    whole, resumed, out = tmp_path / "whole.json", tmp_path / "resumed.json", tmp_path / "run.h5"
+    assert solver("run", case, tmp_path / "whole.h5", "--summary", whole).returncode == 0
+    command, checkpoint = ("run", case, out, "--summary", resumed), tmp_path / "run.h5.checkpoint"
+    with subprocess.Popen([DLD, *command], stderr=subprocess.PIPE, text=True) as running:
+        while rows_passed(checkpoint) < 2 and running.poll() is None:
+            time.sleep(0.01)
+        running.send_signal(signal.SIGINT)
+        assert running.wait() == 128 + signal.SIGINT
+        assert f"continues from {checkpoint}" in running.stderr.read()
+    assert checkpoint.exists() and not resumed.exists()
+    assert solver(*command).returncode == 0
+    assert not checkpoint.exists()
+    before, after = (json.loads(path.read_text()) for path in (whole, resumed))
+    assert before["steps"] == after["steps"] and before["crossings"] == after["crossings"] == 6
+    for name in ("d_perp_um", "centre_um", "film_um", "area_change"):
+        assert after[name] == pytest.approx(before[name], rel=1e-9), name
+
+
+@needs_solver
+def test_a_checkpoint_of_something_else_is_refused_and_left_alone(tmp_path):
+    case, out = write_case(tmp_path), tmp_path / "run.h5"
+    checkpoint = tmp_path / "run.h5.checkpoint"
+    with h5py.File(checkpoint, "w") as file:
+        file.attrs["case"] = "another one"
+    before = checkpoint.read_bytes()
+    refused = solver("run", case, out)
+    assert refused.returncode == 5 and "--no-resume" in refused.stderr
+    flow = tmp_path / "flow.json"
+    flow.write_text('{"scene": "channel"}', encoding="utf-8")
+    assert solver("run", flow, out).returncode == 0
+    assert checkpoint.read_bytes() == before
 
 
 @needs_solver
