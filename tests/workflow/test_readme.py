@@ -70,13 +70,20 @@ def test_the_boundary_shows_open_brackets_and_the_printed_law():
         (6.8, 0.4, 0.5, "free", "sensitivity/kernel/phi3"),
     ]
     columns = ["row_shift_um", "ca_displaced", "ca_zigzag", "lateral_flow", "series"]
-    lines = readme.boundary(pd.DataFrame(rows, columns=columns), claim).splitlines()
+    lines = readme.boundary(with_undisputed(pd.DataFrame(rows, columns=columns)), claim).splitlines()
     assert lines[0] == (
         "| d / um | Ca at 0.4 um | Ca at 0.2 um | Ca at 0.4 um, corrected | extrapolated | paper, Eq. (5) "
         "| 0.4 um, corrected, over Eq. (5) |"
     )
     assert lines[2] == "| 2.0 | above 2.4 |  |  |  |  |  |"
-    assert lines[3] == "| 6.8 | 0.452 - 0.461 | 0.3 - 0.33 | 0.38 - 0.399 | 0.195 - 0.24 | 0.19 | 2 - 2.1 |"
+    assert (
+        lines[3] == "| 6.8 | 0.452 - 0.461 | 0.3 - 0.33 | 0.38 - 0.399 | 0.195 - 0.24 | 0.19 | 2.01 - 2.11 |"
+    )
+
+
+def with_undisputed(table):
+    """The table with brackets that no point contradicts."""
+    return table.assign(ca_undisputed_displaced=table.ca_displaced, ca_undisputed_zigzag=table.ca_zigzag)
 
 
 COLUMNS = ["row_shift_um", "ca_displaced", "ca_zigzag", "undecided_inside", "contradictions", "series"]
@@ -104,11 +111,15 @@ def test_brackets_without_lateral_flow_stand_beside_the_printed_law():
         (4.4, 0.833, 1.12, 2, 0, "blocked-corrected"),
         (6.8, 0.2, 0.22, 0, 0, "blocked-lateral"),
         (9.0, 0.2, 0.22, 0, 0, "blocked-lateral"),
+        (6.0, 0.15, 0.154, 0, 1, "blocked-corrected"),
         (4.4, 0.833, 1.12, 0, 0, "corrected-0.4"),
     ]
-    lines = readme.blocked(pd.DataFrame(rows, columns=COLUMNS), claim).splitlines()
+    table = with_undisputed(pd.DataFrame(rows, columns=COLUMNS))
+    table.loc[3, "ca_undisputed_zigzag"] = 0.189
+    lines = readme.blocked(table, claim).splitlines()
     assert lines[2:] == [
-        "| 4.4 | 0.833 - 1.12 (2 undecided inside) |  | 0.74 | 1.1 - 1.5 |",
+        "| 4.4 | 0.833 - 1.12 (2 undecided inside) |  | 0.74 | 1.12 - 1.50 |",
+        "| 6.0 | 0.15 - 0.154 (1 against it) |  | 0.32 | 0.46 - 0.59 |",
         "| 6.8 |  | 0.2 - 0.22 | 0.19 |  |",
         "| 9.0 |  | 0.2 - 0.22 |  |  |",
     ]

@@ -6,6 +6,8 @@ values stand in the state before, and joins them. A bracket that is done asks fo
 run nothing. The runs of a level go to the same folders as all others and are shared with them.
 """
 
+from study.schedule import bracket_priority, expected_updates, priority
+
 BRACKETS = f"{RESULTS}/brackets"
 SIDES = ["low", "high"]
 BRACKET_FILES = [
@@ -26,8 +28,19 @@ BRACKET_CODE = ["workflow/study/brackets.py"]  # the rest of the package does no
 
 
 def bracket_identity(wildcards):
-    """Identity of a bracket's definition: a changed definition begins it anew."""
+    """Identity of a bracket's definition: a changed definition begins it anew, at every level (a level whose file
+    came out with the same bytes would not be passed on)."""
     return PLAN["brackets"][wildcards.bracket]["identity"]
+
+
+def level_priority(wildcards):
+    """Priority of a job of a bracket: the work of its level and of those that wait for it."""
+    return bracket_priority(PLAN["brackets"][wildcards.bracket], int(wildcards.get("level", 0)))
+
+
+def confirmation_priority(wildcards):
+    """Priority of a run that confirms an end of a bracket: nothing waits for it."""
+    return priority(expected_updates(PLAN["brackets"][wildcards.bracket]["confirm"][wildcards.label]))
 
 
 def known_runs(wildcards):
@@ -55,6 +68,7 @@ rule bracket_start:
         f"{BRACKETS}/{{bracket}}/level-0.json",
     log:
         f"{LOGS}/brackets/{{bracket}}/level-0.log",
+    priority: level_priority
     params:
         runs=RUNS,
         identity=bracket_identity,
@@ -79,8 +93,10 @@ rule bracket_point:
         side="low|high",
     log:
         f"{LOGS}/brackets/{{bracket}}/level-{{level}}-{{side}}.log",
+    priority: level_priority
     params:
         runs=RUNS,
+        identity=bracket_identity,
     threads: 1
     shell:
         """
@@ -102,6 +118,9 @@ rule bracket_narrow:
         level="[1-9]",
     log:
         f"{LOGS}/brackets/{{bracket}}/level-{{level}}.log",
+    priority: level_priority
+    params:
+        identity=bracket_identity,
     shell:
         """
         python {input.script} --plan {input.plan} --bracket {input.bracket} --points {input.points} \
@@ -123,8 +142,10 @@ rule bracket_confirm:
         side="low|high",
     log:
         f"{LOGS}/brackets/{{bracket}}/confirm-{{label}}-{{side}}.log",
+    priority: confirmation_priority
     params:
         runs=RUNS,
+        identity=bracket_identity,
     threads: 1
     shell:
         """

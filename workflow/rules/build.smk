@@ -9,7 +9,7 @@ DLD = config.get("dld", "build/dld")
 def solver_sources():
     """Everything that the binary is made from, by suffix."""
     found = Path("solver").rglob("*")
-    return sorted(str(path) for path in found if path.suffix in {".cpp", ".hpp", ".in"})
+    return sorted(str(path) for path in found if path.suffix in {".cpp", ".hpp", ".in", ".cmake"})
 
 
 rule build:

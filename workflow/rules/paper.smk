@@ -38,6 +38,7 @@ rule paper_numbers:
         tables=TABLES,
         results=RESULTS,
         generated=GENERATED,
+        others=made_on_request,
     shell:
         """
         python {input.script} --declared {input.declared} --tables {params.tables} --verdicts {input.verdicts} \
@@ -60,5 +61,6 @@ rule paper:
     params:
         generated=GENERATED,
         build=f"build/paper/{TIER}",
+        others=made_on_request,
     shell:
         "{input.script} {input.text} {params.generated} {params.build} {output} > {log} 2>&1"

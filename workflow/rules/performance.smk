@@ -20,6 +20,7 @@ rule performance_table:
         f"{TABLES}/performance.csv",
     log:
         f"{LOGS}/performance.log",
+    threads: 2
     shell:
         """
         cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release > {log} 2>&1

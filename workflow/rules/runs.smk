@@ -7,6 +7,11 @@ than a job that it has to do, and would find a changed bracket behind the plan i
 """
 
 
+from study.schedule import run_priorities
+
+RUN_PRIORITIES = run_priorities(PLAN)
+
+
 rule solve:
     input:
         dld=ancient(DLD),
@@ -21,6 +26,7 @@ rule solve:
         f"{RUNS}/{{run}}/run.log",
     benchmark:
         f"{RUNS}/{{run}}/benchmark.tsv"
+    priority: lambda wildcards: RUN_PRIORITIES[wildcards.run]
     threads: 1
     shell:
         """

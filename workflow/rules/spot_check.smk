@@ -25,6 +25,12 @@ def spot_results(_):
     return expand(f"{SPOT}/{{run}}.json", run=runs)
 
 
+def committed_row(wildcards):
+    """Text of the row of a run: if another one is committed, the run is compared anew."""
+    table = pd.read_csv(COMMITTED_PASSAGES, dtype=str, keep_default_na=False)
+    return ",".join(table[table.run == wildcards.run].iloc[0])
+
+
 rule spot_check:
     input:
         results=spot_results,
@@ -37,7 +43,7 @@ rule spot_check:
 
 rule spot_run:
     input:
-        dld=ancient(DLD),
+        dld=DLD,
         plan=ancient(PLAN_FILE),
         runner=ancient(f"{SCRIPTS}/run_case"),
         script=f"{SCRIPTS}/spot_run.py",
@@ -49,6 +55,7 @@ rule spot_run:
     params:
         runs=f"{SPOT}/runs",
         table=COMMITTED_PASSAGES,
+        row=committed_row,
     threads: 1
     shell:
         """

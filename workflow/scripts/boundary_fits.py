@@ -4,7 +4,7 @@ and joins them to the fits of the separation law."""
 import numpy as np
 import pandas as pd
 from study.arguments import required_arguments
-from study.boundary import PARAMETERS, fit_boundary
+from study.boundary import PARAMETERS, brackets_of, fit_boundary
 from study.claims import load_claims
 from study.tables import read_table, write_table
 
@@ -17,8 +17,8 @@ def fit_rows(name, shifts, low, high, paper):
     if found is None:
         return
     *columns, scatter = found
-    for parameter, value, error, lowest, highest in zip(PARAMETERS, *columns, strict=True):
-        row = {"name": name, "parameter": parameter, "value": value, "std_error": error}
+    for parameter, value, lowest, highest in zip(PARAMETERS, *columns, strict=True):
+        row = {"name": name, "parameter": parameter, "value": value}
         yield row | {"low": lowest, "high": highest, "paper_value": paper[parameter]}
     yield {"name": name, "parameter": "scatter_um", "value": scatter}
 
@@ -33,10 +33,9 @@ def main():
     arguments = required_arguments(__doc__, "table", "separation", "claims", "output")
     claim = load_claims(arguments.claims)["phase-boundary"]
     rows = read_table(arguments.separation).to_dict("records")
-    for series, group in read_table(arguments.table).groupby("series"):
-        group = group[group.ca_displaced.notna() | group.ca_zigzag.notna()]
-        brackets = group[["row_shift_um", "ca_displaced", "ca_zigzag"]].to_numpy(float).T
-        rows += fit_rows(f"boundary/{series}", *brackets, claim["value"])
+    boundary = read_table(arguments.table)
+    for series in sorted(set(boundary.series)):
+        rows += fit_rows(f"boundary/{series}", *brackets_of(boundary, series), claim["value"])
     rows += fit_rows("boundary/paper-text", *statements(claim), claim["value"])
     styles = dict.fromkeys(COLUMNS[2:6], ".4f")
     table = pd.DataFrame(rows, columns=COLUMNS)

@@ -5,7 +5,7 @@ shift."""
 from pathlib import Path
 
 from study.arguments import required_arguments
-from study.boundary import extrapolated_rows
+from study.boundary import extrapolated_rows, undisputed
 from study.brackets import point_at
 from study.plan import read_json
 from study.tables import write_table
@@ -20,14 +20,18 @@ BOUNDARY = [
     "settings",
     "series",
 ]
-BOUNDARY += ["undecided_inside", "contradictions", "observed_order", "confirmed", "runs"]
+UNDISPUTED = ["ca_undisputed_displaced", "ca_undisputed_zigzag"]  # a fit goes through these
+BOUNDARY += ["undecided_inside", "contradictions", *UNDISPUTED]
+BOUNDARY += ["observed_order", "confirmed", "runs"]
 ROW_SHIFTS = ["series", "dx_um", "capillary_number", "d_displaced_um", "d_zigzag_um", "status"]
 ROW_SHIFTS += ["undecided_inside", "contradictions", "settings", "runs"]
 POINTS = ["series", "dx_um", "row_shift_um", "capillary_number", "class", "run"]
 CONFIRMATION = ["series", "row_shift_um", "confirmation", "ca_displaced", "class_at_displaced", "ca_zigzag"]
 CONFIRMATION += ["class_at_zigzag", "agrees", "runs"]
 STYLES = {"dx_um": ".4f", "row_shift_um": ".1f", "observed_order": ".2f", "d_displaced_um": ".2f"}
-STYLES |= {"d_zigzag_um": ".2f", "ca_displaced": ".4g", "ca_zigzag": ".4g", "capillary_number": ".4g"}
+STYLES |= {"d_zigzag_um": ".2f"} | dict.fromkeys(
+    ["ca_displaced", "ca_zigzag", *UNDISPUTED, "capillary_number"], ".4g"
+)
 
 
 def ends(state):
@@ -98,11 +102,13 @@ def main():
         confirmed = [confirmation_row(definition, state, label, folder) for label in definition["confirm"]]
         row |= {"row_shift_um": definition["case"]["geometry"]["row_shift_um"]}
         row |= {"ca_displaced": state["low"], "ca_zigzag": state["high"]}
+        row |= dict(zip(UNDISPUTED, undisputed(state["points"]), strict=True))
         row["confirmed"] = "; ".join(f"{found['confirmation']}: {found['agrees']}" for found in confirmed)
         boundary.append(row)
         confirmation += confirmed
     for name, series in plan["extrapolated"].items():
-        boundary += extrapolated_rows(name, series, boundary)
+        limits = list(extrapolated_rows(name, series, boundary))
+        boundary += [row | dict(zip(UNDISPUTED, map(row.get, BOUNDARY[2:4]), strict=True)) for row in limits]
     write_table(boundary, BOUNDARY, arguments.boundary, ["series", "row_shift_um"], STYLES)
     write_table(row_shifts, ROW_SHIFTS, arguments.row_shifts, ["series", "capillary_number"], STYLES)
     keys = ["series", "row_shift_um", "capillary_number"]

@@ -45,13 +45,9 @@ def draw(axes, field, separatrices, shift, scale):
     for _, line in separatrices.groupby("side"):
         for offset in (-PITCH, 0, PITCH):
             for row in (-1, 0, 1):
-                axes.plot(
-                    line.x_um + row * PITCH,
-                    line.y_um + offset + row * shift,
-                    color=style.ORANGE,
-                    lw=1.2,
-                    ls="--",
-                )
+                copy = line.x_um + row * PITCH, line.y_um + offset + row * shift
+                if copy[0].between(*extent[:2]).sum() > 2:  # fewer points would be a speck at the edge
+                    axes.plot(*copy, color=style.ORANGE, lw=1.2, ls="--")
     axes.add_patch(plt.Circle((0, 0), RADIUS, fc=style.PILLAR, ec="none", zorder=3))
     axes.set(xlim=extent[:2], ylim=extent[2:], aspect="equal", xlabel="$x$ / μm", ylabel="$y$ / μm")
     axes.set_title(rf"$d$ = {shift:.1f} μm, $\epsilon$ = {80 * shift / PITCH:g}/80")

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from study import style
 from study.arguments import figure_arguments
-from study.boundary import PARAMETERS, bootstrap_boundary, law
+from study.boundary import PARAMETERS, bootstrap_boundary, brackets_of, law
 from study.claims import load_claims
 from study.plan import read_json
 from study.tables import read_table, write_table
@@ -18,11 +18,12 @@ COLUMNS = [
     "row_shift_um",
     "capillary_number",
     "class",
-    "ca_displaced",
-    "ca_zigzag",
+    "ca_undisputed_displaced",
+    "ca_undisputed_zigzag",
 ]
-COLUMNS += ["status", "d_um", "d_low_um", "d_high_um"]
+COLUMNS += ["status", "contradictions", "d_um", "d_low_um", "d_high_um"]
 CURVE = np.geomspace(0.08, 2.5, 60)  # capillary numbers of the curves
+REACH = 1.2  # a fitted curve ends at its outermost brackets times this
 MARKERS = {"displaced": "o", "zigzag": "s", "undecided": "D", "diverged": "x", "interrupted": "x"}
 
 
@@ -67,16 +68,16 @@ def bracket_rows(boundary, panel, series):
 
 
 def curve_rows(fits, boundary, panel, series):
-    """The fitted law of a series with the 95 % band of its bootstrap; none if it has no fit."""
+    """The fitted law of a series with the 95 % band of its bootstrap, as far as its brackets reach."""
     fit = fits[fits.name == f"boundary/{series}"].set_index("parameter")
     if not set(PARAMETERS) <= set(fit.index):
         return
-    middle = law([fit.value[name] for name in PARAMETERS], CURVE)
-    group = boundary[boundary.series == series]
-    group = group[group.ca_displaced.notna() | group.ca_zigzag.notna()]
-    samples = bootstrap_boundary(*group[["row_shift_um", "ca_displaced", "ca_zigzag"]].to_numpy(float).T)[1]
-    low, high = np.percentile(law(samples.T[:, :, None], CURVE), [2.5, 97.5], axis=0)
-    for values in zip(CURVE, middle, low, high, strict=True):
+    brackets = brackets_of(boundary, series)
+    curve = CURVE[(np.nanmin(brackets[1:]) / REACH < CURVE) & (np.nanmax(brackets[1:]) * REACH > CURVE)]
+    middle = law([fit.value[name] for name in PARAMETERS], curve)
+    samples = bootstrap_boundary(*brackets)[1]
+    low, high = np.percentile(law(samples.T[:, :, None], curve), [2.5, 97.5], axis=0)
+    for values in zip(curve, middle, low, high, strict=True):
         numbers = dict(zip(("capillary_number", "d_um", "d_low_um", "d_high_um"), values, strict=True))
         yield {"panel": panel, "kind": "fit", "series": series} | numbers
 
@@ -105,13 +106,14 @@ def collect(arguments, sweep):
 
 
 def draw_brackets(axes, rows, colour, marker, shift, label):
-    """Brackets as bars with a symbol in their (geometric) middle, hollow if cells inside are undecided."""
+    """Brackets as bars with a symbol in their (geometric) middle, hollow if they are wider than asked for."""
     for row in rows.to_dict("records"):
-        low, high = row["ca_displaced"], row["ca_zigzag"]
+        low, high = row["ca_undisputed_displaced"], row["ca_undisputed_zigzag"]
         if low != low or high != high:
             continue  # the boundary is not within the range of Ca at this row shift
         y, middle = row["row_shift_um"] + shift, np.sqrt(low * high)
-        face = colour if row["status"] == "bracketed" else "white"
+        narrow = row["status"] == "bracketed" and row["contradictions"] == 0
+        face = colour if narrow else "white"
         axes.plot([low, high], [y, y], color=colour, lw=1.2, zorder=4)
         axes.plot(middle, y, marker, color=colour, mfc=face, ms=4, zorder=5)
     axes.plot([], [], color=colour, marker=marker, ms=4, label=label)
@@ -129,7 +131,7 @@ def draw(axes, table):
     for number, series in enumerate(drawn):
         colour, marker, label, _ = LOOKS[series]
         rows = table[table.series == series]
-        shift = 0.09 * (number - 0.5 * (len(drawn) - 1))  # side by side at the same row shift
+        shift = 0.03 * (number - 0.5 * (len(drawn) - 1))  # side by side at the same row shift
         draw_brackets(axes, rows[rows.kind == "bracket"], colour, marker, shift, label)
         curve = rows[rows.kind == "fit"]
         axes.plot(curve.capillary_number, curve.d_um, color=colour, zorder=3)
@@ -158,7 +160,7 @@ def main():
     plan = read_json(arguments.plan)
     rows = collect(arguments, plan["figures"]["trajectory_sweep"])
     styles = dict.fromkeys(["row_shift_um", "d_um", "d_low_um", "d_high_um"], ".3f")
-    styles |= dict.fromkeys(["capillary_number", "ca_displaced", "ca_zigzag"], ".4g")
+    styles |= dict.fromkeys(["capillary_number", "ca_undisputed_displaced", "ca_undisputed_zigzag"], ".4g")
     write_table(rows, COLUMNS, arguments.csv, styles=styles)
     table = read_table(arguments.csv)
     figure = style.new_figure(style.PAGE, 4.0)

@@ -18,6 +18,7 @@ PANELS = {
     "s": r"change of $s$ / μm",
 }
 COLOURS = [style.BLUE, style.ORANGE, style.GREEN, style.PURPLE, style.SKY, style.VERMILION]
+LEGEND = {"fontsize": 6.5, "handlelength": 1, "columnspacing": 0.8, "handletextpad": 0.4, "borderpad": 0}
 BAR = 0.8  # share of the height of a row that its bars fill
 
 
@@ -38,8 +39,7 @@ def with_names(table):
 
 def label_of(row, kind):
     """What a bar belongs to within its row of the tornado."""
-    shift = rf"$d$ = {row.row_shift_um:g} μm"
-    return rf"{shift}, Ca = {row.capillary_number:g}" if kind == "d_perp" else shift
+    return f"Ca = {row.capillary_number:g}" if kind == "d_perp" else rf"$d$ = {row.row_shift_um:g} μm"
 
 
 def draw_bar(axes, row, place, height, colour):
@@ -55,7 +55,9 @@ def draw_bar(axes, row, place, height, colour):
 def draw_panel(axes, rows, kind):
     """The tornado of one kind of observable."""
     shown, missing = rows[rows.change.notna()], int(rows.change.isna().sum())
-    axes.set_xlabel(PANELS[kind] + (f"\n(without value: {missing})" if missing else ""))
+    shifts = ", ".join(f"{shift:g}" for shift in sorted(set(rows.row_shift_um)))
+    remark = f"; without value: {missing}" if missing else ""
+    axes.set_xlabel(f"{PANELS[kind]}\n($d$ = {shifts} μm{remark})")
     if shown.empty:
         axes.set(xticks=[], yticks=[])
         panel_note(axes, "no data")
@@ -80,7 +82,7 @@ def draw_panel(axes, rows, kind):
     axes.tick_params(axis="y", length=0)
     axes.locator_params(axis="x", nbins=7 if kind == "d_perp" else 4)
     axes.margins(x=0.08)
-    axes.legend(loc="lower right", fontsize=6.5, handlelength=1)  # the smallest changes are at the bottom
+    axes.legend(loc="lower right", bbox_to_anchor=(1.02, 1), ncols=3 if len(observables) < 4 else 2, **LEGEND)
 
 
 def main():

@@ -80,6 +80,8 @@ def draw_lines(axes, rows):
         height = max(end.speed_um_per_kilostep, height + gap)
         place = {"textcoords": "offset points", "fontsize": 6, "color": GREY}
         axes.annotate(f"{end.row_shift_um:.1f}", (end.capillary_number, height), (5, -2), **place)
+    if len(ends):
+        axes.annotate("$d$ / μm", (end.capillary_number, height + 2 * gap), (0, -2), **place)
 
 
 def draw_slowing(axes, rows):
@@ -96,6 +98,9 @@ def draw_slowing(axes, rows):
             look = {"ms": 3.5, "lw": 0.6, "mfc": colour if name == "displaced" else "white", "color": colour}
             axes.plot(side.distance, side.slowest_row_kilosteps, marker=MARKERS[name], **look)
     axes.set(xlabel=r"$|\mathrm{Ca}/\mathrm{Ca}_c - 1|$", ylabel="slowest row / 1000 steps")
+    for name in sorted(shown["class"].unique()):
+        look = {"ms": 3.5, "mfc": GREY if name == "displaced" else "white", "color": GREY}
+        axes.plot([], [], MARKERS[name], ls="", label=name, **look)
     if len(shown):
         axes.set_xscale("log")
         axes.legend(loc="lower left", bbox_to_anchor=(0.07, 1.0), ncols=2, **LEGEND)

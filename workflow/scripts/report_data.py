@@ -37,7 +37,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     for name in ("--plan", "--runs", "--trajectories", "--provenance"):
         parser.add_argument(name, required=True)
-    parser.add_argument("--groups", nargs="+", required=True, help="groups of runs whose provenance is told")
+    parser.add_argument(
+        "--groups", nargs="+", required=True, help="groups of runs whose provenance is told, besides passages"
+    )
     parser.add_argument("--brackets", help="folder of the brackets, if their trajectories are wanted too")
     arguments = parser.parse_args()
     plan = read_json(arguments.plan)
@@ -50,7 +52,7 @@ def main():
     styles = {"x_um": ".1f", "y_um": ".1f"}
     write_table(rows, TRAJECTORIES, arguments.trajectories, ["run", "x_um"], styles)
     groups = [load_runs(arguments.plan, arguments.runs, group) for group in arguments.groups]
-    every = {run.id: run for runs in groups for run in runs}
+    every = passages | {run.id: run for runs in groups for run in runs}
     counts = Counter(made_by(run) for run in every.values())
     made = [dict(zip(PROVENANCE, (count, *key), strict=True)) for key, count in counts.items()]
     write_table(made, PROVENANCE, arguments.provenance, PROVENANCE[1:])

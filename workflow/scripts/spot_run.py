@@ -1,5 +1,9 @@
-"""One passage of the committed study made again in a folder of its own; writes how alike it came out."""
+"""One passage of the committed study made again in a folder of its own; writes how alike it came out.
 
+Each binary has a folder of its own: what is checked is the one at hand.
+"""
+
+import hashlib
 import json
 from pathlib import Path
 
@@ -16,8 +20,9 @@ plan = read_json(arguments.plan)
 table = pd.read_csv(arguments.table, dtype=str, keep_default_na=False)
 committed = table[table.run == arguments.run].iloc[0].to_dict()
 case = case_of(committed, plan)
-solved(case, plan["solver_model"], arguments.runs, arguments.runner, arguments.dld)
-run = Run(arguments.run, "", {"sweep": committed["sweep"]}, case, Path(arguments.runs) / arguments.run)
+runs = Path(arguments.runs) / hashlib.sha256(Path(arguments.dld).read_bytes()).hexdigest()[:12]
+solved(case, plan["solver_model"], runs, arguments.runner, arguments.dld)
+run = Run(arguments.run, "", {"sweep": committed["sweep"]}, case, runs / arguments.run)
 remade = texts(row_of(run))
 verdict, columns = compared(committed, remade)
 result = {"verdict": verdict, "columns": columns, "row": committed, "remade": remade}

@@ -11,7 +11,7 @@ from study.tables import read_table
 FACES = {"works": SKY, "inaccurate": YELLOW, "fails": VERMILION}
 MARKERS = {"works": "o", "inaccurate": "^", "fails": "x"}
 NAMES = {
-    "/fluid/relaxation_time": r"relaxation time $\tau - 1/2$",
+    "/fluid/relaxation_time": r"$\tau - 1/2$",
     "/fluid/force_density": r"force density $f$ / lu",
     "/fluid/precision": "precision",
     "/cell/capillary_number": "Ca",
@@ -23,7 +23,22 @@ NAMES = {
     "/coupling/steps_per_update": "fluid steps per update",
     "/coupling/pillar_repulsion": r"repulsion / ($p' l\,dx^2$)",
 }
-COLUMNS = 3
+TITLES = {
+    "relaxation-bgk": "BGK",
+    "relaxation-trt": "TRT",
+    "relaxation-inertia": "TRT, full equilibrium",
+    "relaxation-corrected": "corrected kernel",
+    "stiffness-phi4": "kernel phi4",
+    "stiffness-phi3": "kernel phi3",
+    "stiffness-phi2": "kernel phi2",
+    "stiffness-corrected": "corrected kernel",
+    "mesh-bare": "mesh, bare",
+    "viscosity-ratio-bgk": "BGK",
+    "viscosity-ratio-trt": "TRT",
+    "viscosity-ratio-corrected": "corrected kernel",
+    "bending-viscosity": "bending, viscosity",
+}  # other maps: their name
+COLUMNS = 4
 
 
 def edges(values):
@@ -47,14 +62,23 @@ def axis_of(values, key):
     return places, list(values) if words else None
 
 
-def apart(places):
-    """The places whose labels do not touch on a logarithmic axis: a sixth of its length apart."""
-    least = np.log(places[-1] / places[0]) / 6
-    kept = [places[0]]
+def apart(places, beside):
+    """The places whose labels do not touch on a logarithmic axis, where they stand beside one another (x) or
+    above one another (y).
+
+    A letter takes about a twentieth of the axis, which is longer than the span of the places.
+    """
+    length, kept = 1.3 * np.log(places[-1] / places[0]), [places[0]]
     for place in places[1:]:
-        if np.log(place / kept[-1]) > least:
+        letters = 0.5 * (len(label(place)) + len(label(kept[-1]))) + 1 if beside else 2.2
+        if np.log(place / kept[-1]) > 0.055 * letters * length:
             kept.append(place)
     return kept
+
+
+def label(value):
+    """Text of a tick."""
+    return f"{value:.3g}"
 
 
 def grid(frame, column, xs, ys):
@@ -94,11 +118,12 @@ def draw(axes, frame):
         if words:
             axis.set_ticks(places, words)
         elif places[-1] / places[0] < 50:
-            axis.set_ticks(apart(places))
-            axis.set_major_formatter(plt.FuncFormatter(lambda v, _: f"{v:.3g}"))
+            axis.set_ticks(apart(places, axis is axes.xaxis))
+            axis.set_major_formatter(plt.FuncFormatter(lambda value, _: label(value)))
     axes.set_xlabel(NAMES.get(frame.x_name.iloc[0], frame.x_name.iloc[0]))
     axes.set_ylabel(NAMES.get(frame.y_name.iloc[0], frame.y_name.iloc[0]))
-    axes.set_title(frame["map"].iloc[0], fontsize=8)
+    name = frame["map"].iloc[0]
+    axes.set_title(TITLES.get(name, name.replace("-", " ")), fontsize=8)
 
 
 def main():
@@ -107,14 +132,16 @@ def main():
     table.to_csv(arguments.csv, index=False, lineterminator="\n")
     maps = list(dict.fromkeys(table["map"]))
     rows = -(-len(maps) // COLUMNS)
-    figure = new_figure(PAGE, 0.5 + 1.9 * rows)
+    figure = new_figure(PAGE, 0.5 + 1.75 * rows)
     panels = figure.subplots(rows, COLUMNS, squeeze=False).ravel()
     for axes, name in zip(panels, maps, strict=False):
         draw(axes, table[table["map"] == name])
     for axes in panels[len(maps) :]:
         axes.set_axis_off()
     keys = [
-        plt.Line2D([], [], color=FACES[name], marker=MARKERS[name], mec=BLACK, linewidth=6, ms=4, label=name)
+        plt.Line2D(
+            [], [], color=FACES[name], marker=MARKERS[name], mec=BLACK, mfc=BLACK, lw=6, ms=4, label=name
+        )
         for name in STATUSES
     ]
     keys.append(plt.Line2D([], [], color=BLUE, linewidth=1.4, label="limit stated by dld check"))

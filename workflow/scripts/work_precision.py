@@ -22,7 +22,7 @@ from study.plan import read_json
 from study.tables import read_table, write_table
 
 COSTS = {"work_units": "work / node updates", "seconds": "run time / s"}
-MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">", "h", "p", "*", "d", "8", "$+$", "1", "H"]
+MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">", "h", "p", "*", "d", "8", "$+$", "1", (4, 1, 0)]
 COLUMNS = [
     "point",
     "error_kind",
@@ -123,9 +123,14 @@ def write_list(axes, places, heads, lines):
         top -= line * len(name)
 
 
+def printed(text):
+    """A name of the tables as it is printed."""
+    return re.sub(r"\bum\b", "μm", text.replace("D_perp", r"$D_\perp$"))
+
+
 def name_of(row):
     """Method and setting in words."""
-    return f"{row.method}: {row.setting}" if row.setting else row.method
+    return printed(f"{row.method}: {row.setting}" if row.setting else row.method)
 
 
 def shown_error(row):
@@ -154,7 +159,7 @@ def list_frontiers(axes, rows):
         at = {row.point: row for row in named[named.name == name].itertuples()}
         texts = [shown_error(at[point]) if at[point].status == "ok" else "fails" for point in points]
         lines.append((name, *texts))
-    heads = ("on a frontier", *(point.partition(",")[0].removeprefix("d = ") for point in points))
+    heads = ("on a frontier", *(printed(point.partition(",")[0].removeprefix("d = ")) for point in points))
     write_list(axes, (0.0, 0.66, 0.83, 1.0), heads, lines)
 
 
@@ -188,8 +193,8 @@ def main():
         for axes, (point, cost) in zip(line, panels, strict=False):
             draw(axes, part[part.point == point], cost, look, named)
             if several and kind == kinds[0]:
-                axes.set_title(point, loc="left", pad=8)
-        line[0].set_ylabel(f"error of {kind}")
+                axes.set_title(printed(point), loc="left", pad=8)
+        line[0].set_ylabel(f"error of {printed(kind)}")
         write(line[-1], part)
     style.legend_below(figure, ncols=4)
     style.save(figure, arguments.output, plan["note"])

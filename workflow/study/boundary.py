@@ -99,6 +99,25 @@ def _maximum_likelihood(shifts, low, high, start):
     return minimize(_negative_log_likelihood, start, given, method="Nelder-Mead", options=options).x
 
 
+def undisputed(points):
+    """(low, high): the largest value up to which no point is zigzag and the smallest from which none is
+    displaced, None without one. The ends of a bracket, or further apart where points contradict its cut: a
+    class that flips back and forth leaves the boundary anywhere between."""
+    zigzag = [point["value"] for point in points if point["class"] == "zigzag"]
+    displaced = [point["value"] for point in points if point["class"] == "displaced"]
+    below = [value for value in displaced if not zigzag or value < min(zigzag)]
+    above = [value for value in zigzag if not displaced or value > max(displaced)]
+    return max(below, default=None), min(above, default=None)
+
+
+def brackets_of(table, series):
+    """(row shifts, displaced up to, zigzag from) of a series of the table of the boundary, for a fit: um and
+    undisputed capillary numbers, NaN where there is none."""
+    ends = ["ca_undisputed_displaced", "ca_undisputed_zigzag"]
+    rows = table[(table.series == series) & table[ends].notna().any(axis=1)]
+    return tuple(rows[["row_shift_um", *ends]].to_numpy(float).T)
+
+
 def _closed(low, high):
     return ~np.isnan(low) & ~np.isnan(high)
 
@@ -114,9 +133,10 @@ def _placed(random, low, high):
 
 def bootstrap_boundary(shifts, low, high):
     """Most likely (offset, amplitude, rate, scatter) of d = a + b exp(-c Ca) through brackets [low, high] of
-    Ca at row shifts d (um), NaN: no displaced (zigzag) point; and (offset, amplitude, rate) of resampled
-    brackets with the critical value drawn anywhere inside each, (SAMPLES, 3): few brackets leave little to
-    resample, and their width is an uncertainty of its own.
+    Ca at row shifts d (um), NaN: no displaced (zigzag) point; and (offset, amplitude, rate) of brackets made
+    anew, (SAMPLES, 3): the critical value drawn anywhere inside each, the row shift with the scatter of the
+    fit, corrected for its degrees of freedom. A handful of brackets cannot be resampled: most draws would not
+    fix three parameters, and those that do would all have the same brackets.
 
     None with fewer than four closed brackets.
     """
@@ -131,24 +151,24 @@ def bootstrap_boundary(shifts, low, high):
         return np.array([vector[0], math.exp(vector[1]), math.exp(vector[2])])
 
     random, samples = np.random.default_rng(SEED), []
-    while len(samples) < SAMPLES:
-        pick = random.integers(len(shifts), size=len(shifts))
-        closed = pick[_closed(low[pick], high[pick])]
-        if len(set(closed)) >= 4:
-            drawn = _placed(random, low[pick], high[pick])
-            samples.append(values(_maximum_likelihood(shifts[pick], *drawn, best)))
-    return np.append(values(best), SMALLEST_SCATTER_UM + math.exp(best[3])), np.array(samples)
+    scatter, closed = SMALLEST_SCATTER_UM + math.exp(best[3]), _closed(low, high).sum()
+    spread = scatter * math.sqrt(closed / (closed - len(PARAMETERS)))
+    for _ in range(SAMPLES):
+        moved = shifts + spread * random.standard_normal(len(shifts))
+        samples.append(values(_maximum_likelihood(moved, *_placed(random, low, high), best)))
+    return np.append(values(best), scatter), np.array(samples)
 
 
 def fit_boundary(shifts, low, high):
     """Interval-censored maximum likelihood of d = a + b exp(-c Ca) through brackets, see bootstrap_boundary.
-    Returns (values, standard errors, 2.5 %, 97.5 %, scatter).
+    Returns (values, 2.5 %, 97.5 %, scatter).
 
-    The uncertainty is a bootstrap over the brackets. None with fewer than four closed brackets.
+    The uncertainty is a parametric bootstrap; its tails are too long for a standard error to mean anything.
+    None with fewer than four closed brackets.
     """
     found = bootstrap_boundary(shifts, low, high)
     if found is None:
         return None
     best, samples = found
     ends = np.percentile(samples, [2.5, 97.5], axis=0)
-    return best[:3], samples.std(axis=0, ddof=1), ends[0], ends[1], best[3]
+    return best[:3], ends[0], ends[1], best[3]

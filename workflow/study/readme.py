@@ -53,9 +53,9 @@ def times(stages):
     return "\n".join(markdown_table(titles, [*rows, total]))
 
 
-def interval(low, high, digits=3):
+def interval(low, high, style=".3g"):
     """Text of a bracket of the critical capillary number, open where an end is missing."""
-    low, high = (None if math.isnan(end) else f"{end:.{digits}g}" for end in (low, high))
+    low, high = (None if math.isnan(end) else f"{end:{style}}" for end in (low, high))
     if low and high:
         return f"{low} - {high}"
     return f"above {low}" if low else f"below {high}" if high else ""
@@ -69,11 +69,11 @@ def remarks(row):
 
 
 def beside_print(shift, ends, claim):
-    """Texts: Ca of the paper's Eq. (5) at this row shift, and how many times it a bracket is, if any."""
+    """Texts: Ca of the paper's Eq. (5) at this row shift, and how many times it the boundary is, if known."""
     printed = critical_capillary_number(shift, [claim["value"][name] for name in PARAMETERS])
     if printed is None:
         return ["", ""]
-    return [f"{printed:.2f}", interval(*(end / printed for end in ends), 2) if printed and ends else ""]
+    return [f"{printed:.2f}", interval(*(end / printed for end in ends), ".2f") if printed and ends else ""]
 
 
 def brackets_of(table, names):
@@ -83,6 +83,12 @@ def brackets_of(table, names):
         (row.series, row.row_shift_um): interval(row.ca_displaced, row.ca_zigzag) + remarks(row)
         for row in chosen
     }
+
+
+def undisputed_ends(table, series):
+    """By row shift, where the boundary of a series lies for certain: what the print is judged by."""
+    rows = table[table.series == series].itertuples()
+    return {row.row_shift_um: (row.ca_undisputed_displaced, row.ca_undisputed_zigzag) for row in rows}
 
 
 def doubts(table):
@@ -100,10 +106,7 @@ def doubts(table):
 def blocked(table, claim):
     """Brackets without net lateral flow, by row shift, and how many times the printed one the first is."""
     found, judged = brackets_of(table, BLOCKED), next(iter(BLOCKED))
-    ends = {
-        row.row_shift_um: (row.ca_displaced, row.ca_zigzag)
-        for row in table[table.series == judged].itertuples()
-    }
+    ends = undisputed_ends(table, judged)
     rows = []
     for shift in sorted({shift for _, shift in found}):
         texts = [found.get((name, shift), "") for name in BLOCKED]
@@ -120,11 +123,11 @@ def boundary(table, claim):
     free = table[table.series.str.startswith(SHOWN)]
     limits = [name for name in sorted(free.series.unique()) if name.startswith("extrapolated")]
     lattices = [name for name in sorted(free.series.unique(), reverse=True) if name not in limits]
-    rows = []
+    ends, rows = undisputed_ends(table, JUDGED), []
     for shift, group in free.groupby("row_shift_um"):
         found = {row.series: (row.ca_displaced, row.ca_zigzag) for row in group.itertuples()}
         texts = [interval(*found[name]) if name in found else "" for name in lattices + limits]
-        rows.append([shift, *texts, *beside_print(shift, found.get(JUDGED), claim)])
+        rows.append([shift, *texts, *beside_print(shift, ends.get(shift), claim)])
     kinds = (name.partition("-") for name in lattices)
     heads = [f"Ca at {dx} um" + ("" if kind == "lattice" else f", {kind}") for kind, _, dx in kinds]
     return "\n".join(markdown_table(["d / um", *heads, *limits, "paper, Eq. (5)", AGAINST_PRINT], rows))
