@@ -203,7 +203,7 @@ void ImmersedBoundary<Real>::spread(const Eigen::MatrixX3d& f) {
         const std::uint32_t at = s.plane[i] + s.layer[k];
         Four w = (s.wx[i] * s.wz[k]) * wy;
         if (s.masked) w *= Four(lattice_.fluid_mask.data() + at, stdx::element_aligned);
-        const auto add = [&](std::vector<Real>& component, Real value) {
+        const auto add = [&](LatticeArray<Real>& component, Real value) {
           Real* const place = component.data() + at;
           Four sum(place, stdx::element_aligned);
           sum += value * w;

@@ -63,7 +63,7 @@ class ImmersedBoundary {
   bool shared() const { return lattice_.threads() > 1 && nodes_.size() > 1000; }
   /// Rows continue periodically into their padding, so that a stencil never wraps within a row.
   void fold_force();
-  using Field = std::array<std::vector<Real>, 3>;
+  using Field = std::array<LatticeArray<Real>, 3>;
   void extend(Field& field);
   void gather(const Field& field, Eigen::MatrixX3d& v) const;
   template <class Function>

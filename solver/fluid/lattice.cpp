@@ -6,7 +6,6 @@
 #include <experimental/simd>
 
 #include "fluid/collision.hpp"
-#include "fluid/huge_pages.hpp"
 
 namespace dld {
 
@@ -25,7 +24,7 @@ Lattice<Real>::Lattice(const UnitCell& cell, const FluidModel& model)
   uniform_rates_ =
       relaxation_rates(model.collision == CollisionModel::bgk, static_cast<Real>(model.relaxation_time),
                        static_cast<Real>(model.magic_parameter));
-  assign_on_huge_pages(populations_, layout_.populations_size(), Real(0));
+  populations_.assign(layout_.populations_size(), Real(0));
   for (auto& component : force) component.assign(nodes, Real(0));
   for (auto& component : velocity) component.assign(nodes, Real(0));
   relaxation_time.assign(nodes, static_cast<Real>(model.relaxation_time));

@@ -10,6 +10,7 @@
 
 #include "fluid/collision.hpp"
 #include "fluid/d3q19.hpp"
+#include "fluid/lattice_array.hpp"
 #include "fluid/links.hpp"
 #include "geometry/unit_cell.hpp"
 
@@ -77,13 +78,13 @@ class Lattice {
 
   /// Local force, relaxation time, velocity and fluid mask (1 fluid, 0 solid or outside) by
   /// layout().node(...).
-  std::array<std::vector<Real>, 3> force, velocity;
-  std::vector<Real> relaxation_time;
-  std::vector<Real> fluid_mask;
+  std::array<LatticeArray<Real>, 3> force, velocity;
+  LatticeArray<Real> relaxation_time;
+  LatticeArray<Real> fluid_mask;
 
   /// Raw populations, for checkpoints and cached flows.
-  std::vector<Real>& populations() { return populations_; }
-  const std::vector<Real>& populations() const { return populations_; }
+  LatticeArray<Real>& populations() { return populations_; }
+  const LatticeArray<Real>& populations() const { return populations_; }
 
  private:
   /// Fluid nodes in a row: (x, y .. y + length - 1, z).
@@ -115,7 +116,7 @@ class Lattice {
   LatticeLayout layout_;
   StreamingPlaces places_;
   LinkTables links_;
-  std::vector<Real> populations_;
+  LatticeArray<Real> populations_;
   std::vector<Segment> segments_;
   std::vector<Row> planes_;
   std::array<double, 3> uniform_force_{};

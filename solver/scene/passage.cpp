@@ -223,7 +223,8 @@ class PassageRun {
   void save_checkpoint() {
     cell_->refresh_viscosity();
     Checkpoint checkpoint(identity());
-    checkpoint.set("populations", lattice_.populations());
+    const auto& populations = lattice_.populations();
+    checkpoint.set("populations", std::vector<Real>(populations.begin(), populations.end()));
     checkpoint.set("uniform_force",
                    std::vector<double>{lattice_.uniform_force()[0], lattice_.uniform_force()[1]});
     checkpoint.set("positions", to_values(cell_->positions()));
@@ -251,7 +252,8 @@ class PassageRun {
 
   void resume() {
     if (!saved_) return;
-    lattice_.populations() = saved_->get<std::vector<Real>>("populations");
+    const auto& populations = saved_->get<std::vector<Real>>("populations");
+    lattice_.populations().assign(populations.begin(), populations.end());
     const auto& force = saved_->get<std::vector<double>>("uniform_force");
     lattice_.set_uniform_force(force[0], force[1], 0.0);
     steps_ = saved_->integer("steps");

@@ -207,6 +207,22 @@ Lattice<double> driven(const UnitCell& cell, const FluidModel& model, int steps)
   return lattice;
 }
 
+// A vector of 64 bytes at the begin of a row lies in one cache line.
+TEST(Lattice, RowsBeginOnCacheLines) {
+  UnitCell cell;
+  cell.nx = 3, cell.ny = 21, cell.nz = 2;
+  mark_solid(cell, true);
+  const Lattice<float> lattice(cell, {});
+  const auto line = [](const float* place) { return reinterpret_cast<std::uintptr_t>(place) % 64; };
+  for (int x = 0; x < cell.nx; ++x) {
+    for (int z = 0; z < cell.nz; ++z) {
+      EXPECT_EQ(line(lattice.velocity[1].data() + lattice.layout().node(x, 0, z)), 0u);
+      for (int i = 0; i < 19; ++i)
+        EXPECT_EQ(line(lattice.populations().data() + lattice.layout().population(i, x, 0, z)), 0u);
+    }
+  }
+}
+
 TEST(Lattice, MovingTheOriginByAWholeVectorChangesNothing) {
   const BoxSize size{20, 21, 4, 6.0, 6, HeightBoundary::mirror_and_wall};
   const Lattice<double> centred = driven(unit_cell(size), full_interpolated(), 200);
