@@ -167,7 +167,7 @@ void ImmersedBoundary<Real>::locate(const Eigen::MatrixX3d& x, const std::vector
 template <class Real>
 void ImmersedBoundary<Real>::mark_active(const Eigen::MatrixX3d& x) {
   const UnitCell& cell = lattice_.cell();
-  constexpr int reach = 3;  // widest kernel, plus the smoothed viscosity field
+  constexpr int reach = 2;  // of the widest kernel, and of the viscosity of an inside that is a little old
   const auto range = [&](int axis, double origin) {
     return std::pair{static_cast<int>(std::floor(x.col(axis).minCoeff() - origin)) - reach,
                      static_cast<int>(std::floor(x.col(axis).maxCoeff() - origin)) + reach};

@@ -113,6 +113,7 @@ void Lattice<Real>::collide_run(const PlacesOfNode& places, const Segment& run) 
 template <class Real>
 template <bool Stokes>
 void Lattice<Real>::collide_plane(Phase phase, int x, const ActiveRange& range) {
+  constexpr int width = static_cast<int>(stdx::native_simd<Real>::size());
   const Row plane = planes_[static_cast<std::size_t>(x)];
   for (std::uint32_t s = plane.first; s < plane.last; ++s) {
     const Segment& segment = segments_[s];
@@ -127,7 +128,11 @@ void Lattice<Real>::collide_plane(Phase phase, int x, const ActiveRange& range) 
     const std::array<std::array<int, 2>, 2> parts{{{first - cell_.ny, last - cell_.ny}, {first, last}}};
     int y = segment.y;
     for (const auto& part : parts) {
-      const int from = std::clamp(part[0], y, end), to = std::clamp(part[1], y, end);
+      int from = std::clamp(part[0], y, end), to = std::clamp(part[1], y, end);
+      if (from == to) continue;
+      // Whole vectors: the nodes that this adds have no force, and the relaxation time of the outside.
+      from = y + (from - y) / width * width;
+      to = std::min(end, from + (to - from + width - 1) / width * width);
       if (from > y) collide_run<Stokes, false>(places, {x, y, segment.z, from - y});
       if (to > from) collide_run<Stokes, true>(places, {x, from, segment.z, to - from});
       y = std::max(y, to);
