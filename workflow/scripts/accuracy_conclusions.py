@@ -20,6 +20,14 @@ def name_of(row):
     return f"{row.method}, {row.setting}" if row.setting else row.method
 
 
+def usable(rows):
+    """The rows of the settings that ended well at all points of their study."""
+    keys = ["study", "method", "setting"]
+    bad = rows[~rows.status.isin(["ok", "no reference"])].drop_duplicates(keys)[keys]
+    marked = rows.merge(bad, on=keys, how="left", indicator=True)
+    return marked[marked["_merge"] == "left_only"].drop(columns="_merge")
+
+
 def cheapest(rows, goal):
     """The cheapest good row whose error is told to be below the goal, or None."""
     good = rows[(rows.status == "ok") & (np.fmax(rows.error, rows.reference_uncertainty.fillna(0)) <= goal)]
@@ -45,7 +53,8 @@ def failures_of(rows):
     """Lines on the settings that did not end well."""
     bad = rows[~rows.status.isin(["ok", "no reference"])].drop_duplicates(["method", "setting"])
     for row in bad.itertuples():
-        yield f"- {name_of(row)}: {row.status}"
+        than = f" than the finest of '{row.reference}'" if row.status == "other class" else ""
+        yield f"- {name_of(row)}: {row.status}{than}"
 
 
 def presets_of(table):
@@ -129,7 +138,7 @@ def main():
     weight = plan["accuracy"]["membrane_update_weight"]
     lines.append(
         "Errors are largest deviations from the limit of another scheme, over all points or at the point "
-        f"named. Work is counted in updates of fluid nodes; a membrane node counts {weight:g}. Seconds are "
+        f"named; settings that fail at one point are recommended at none. Work is counted in updates of fluid nodes; a membrane node counts {weight:g}. Seconds are "
         "those of the pipeline, with other runs beside each.\n"
     )
     found = measured_weight(load_runs(arguments.plan, arguments.runs, "accuracy-passages"))
@@ -138,7 +147,8 @@ def main():
         lines.append(f"The run times of the passages give {text}.\n")
     judged = judged_points(table)
     places = {point: "" if point == ALL else f", {point}" for point in judged.point}
-    for (study, kind, point), rows in judged.groupby(["study", "error_kind", "point"], sort=False):
+    sound = usable(judged)
+    for (study, kind, point), rows in sound.groupby(["study", "error_kind", "point"], sort=False):
         lines += [f"## {study}: {kind}{places[point]}\n", *goals_of(rows), ""]
     for (study, point), rows in judged.groupby(["study", "point"], sort=False):
         failures = list(failures_of(rows))
