@@ -1,5 +1,8 @@
 """The claims file is complete, and every claim has a check or says what it waits for."""
 
+import re
+
+import pandas as pd
 from study import claims_classes, claims_extent, claims_flow  # noqa: F401 (they register their checks)
 from study.claims import CHECKS, load_claims
 from study.plan import validated
@@ -47,3 +50,15 @@ def test_tolerances_name_the_parts_of_their_values(root):
     for claim in load_claims(root / "params/claims.json").values():
         if isinstance(claim["tolerance"], dict):
             assert set(claim["tolerance"]) == set(claim["value"]), claim["id"]
+
+
+def test_every_claim_that_does_not_come_out_is_explained_without_numbers_of_its_own(root):
+    claims = load_claims(root / "params/claims.json")
+    verdicts = pd.read_csv(root / "results/claims.csv").fillna("").set_index("id")
+    for name, row in verdicts.iterrows():
+        explained = row.verdict == "NOT REPRODUCED"
+        assert bool(row.explanation) == explained, name
+        if explained:
+            assert row.explanation == claims[name]["otherwise"], name
+            words = re.sub("|".join(map(re.escape, claims)), "", row.explanation)
+            assert not re.search(r"\d\.\d", words), name

@@ -11,9 +11,9 @@ import pytest
 from PIL import Image
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-VERDICTS = """id,verdict,claim,where,paper_value,unit,measured,note
-reynolds,NOT REPRODUCED,a claim with <angle> & sign,Section 3.1,0.76,,0.461,
-resistance,REPRODUCED,another claim,Section 3.1,8.8e8,Pa s/m^2,8.7e8,a note
+VERDICTS = """id,verdict,claim,where,paper_value,unit,measured,note,explanation
+reynolds,NOT REPRODUCED,a claim with <angle> & sign,Section 3.1,0.76,,0.461,,as we read it
+resistance,REPRODUCED,another claim,Section 3.1,8.8e8,Pa s/m^2,8.7e8,a note,
 """
 
 

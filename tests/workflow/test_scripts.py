@@ -100,7 +100,7 @@ def test_verdicts(tables, results, call, root):
     tier = "fine" if "fine" in results.name else "smoke"
     call("claims_table", **given, tier=tier, csv=csv, markdown=markdown)
     verdict = pd.read_csv(csv).set_index("id").verdict
-    assert set(verdict) <= {"REPRODUCED", "NOT REPRODUCED", "NOT RUN"}
+    assert set(verdict) <= {"REPRODUCED", "NOT REPRODUCED", "NOT DECIDED", "NOT RUN"}
     assert len(markdown.read_text().splitlines()) == len(verdict) + 6
     if tier == "smoke":
         assert set(verdict) == {"NOT RUN"}
@@ -112,12 +112,30 @@ def test_verdicts(tables, results, call, root):
         assert verdict["unit-conversion"] == "NOT REPRODUCED"
 
 
-def test_a_claim_without_its_runs_is_an_error_of_the_whole_study_alone(tables, results, root, tmp_path):
+@pytest.fixture
+def whole_study(results, tmp_path):
+    """A copy of the tables of the whole study, to be changed."""
     if "fine" not in results.name:
         pytest.skip("on the tables of the paper tier")
-    folder = tmp_path / "tables"
-    shutil.copytree(results / "tables", folder)
-    rows = tables["passages"]
+    shutil.copytree(results / "tables", tmp_path / "tables")
+    return tmp_path / "tables"
+
+
+def test_a_flow_that_diverged_leaves_its_claims_undecided_and_is_no_error(tables, whole_study, call, root):
+    rows = tables["streamline_separation"]
+    rows.loc[rows.index[rows.variant == "paper"][0], "status"] = "diverged"
+    rows.to_csv(whole_study / "streamline_separation.csv", index=False)
+    given = {"claims": root / "params/claims.json", "tables": whole_study, "experiment": root / EXPERIMENT}
+    csv, markdown = whole_study / "claims.csv", whole_study / "claims.md"
+    call("claims_table", **given, tier="fine", csv=csv, markdown=markdown)
+    found = pd.read_csv(csv).set_index("id")
+    assert found.verdict["table-1"] == found.verdict["resistance"] == "NOT DECIDED"
+    assert "did not converge" in found.note["table-1"]
+    assert found.verdict["eps-17-stiff-displaced"] == "REPRODUCED"
+
+
+def test_a_claim_without_its_runs_is_an_error_of_the_whole_study_alone(tables, whole_study, root, tmp_path):
+    folder, rows = whole_study, tables["passages"]
     rows[rows.row_shift_um != 5.2].to_csv(folder / "passages.csv", index=False)
     words = ["--claims", root / "params/claims.json", "--tables", folder, "--tier", "fine"]
     words += ["--experiment", root / EXPERIMENT, "--csv", tmp_path / "c.csv", "--markdown", tmp_path / "c.md"]

@@ -139,8 +139,8 @@ def main():
     lines.append(
         "Errors are largest deviations from the limit of another scheme, over all points or at the point "
         "named; settings that fail at one point are recommended at none. Work is counted in updates of fluid "
-        f"nodes; a membrane node counts {weight:g}. Seconds are those of the pipeline, with other runs beside "
-        "each.\n"
+        f"nodes; a membrane node counts {weight:g}. Seconds are those of the pipeline, with other runs "
+        "beside each.\n"
     )
     found = measured_weight(load_runs(arguments.plan, arguments.runs, "accuracy-passages"))
     if found:

@@ -1,9 +1,10 @@
 """What a check of a claim is: a function of the tables and the claim that says what was measured.
 
-A check returns a Finding, or None where the runs for it are missing. The verdict is on the paper's own
-method at its own lattice (variant `paper` of the flow, sweep `grid` and series `lattice-0.4` of the cells);
-refined values stand in the note. A claim that does not come out is a result. The checks stand in
-claims_flow (flow, tweezer), claims_classes and claims_extent (cells in the array).
+A check returns a Finding, or None where the runs for it are missing; it raises Undecidable where they are
+there and do not tell. The verdict is on the paper's own method at its own lattice (variant `paper` of the
+flow, sweep `grid` and series `lattice-0.4` of the cells); refined values stand in the note. A claim that
+does not come out is a result. The checks stand in claims_flow (flow, tweezer), claims_classes and
+claims_extent (cells in the array).
 """
 
 from collections import Counter
@@ -15,13 +16,17 @@ LATTICE_UM = 0.4
 SWEEP, SERIES, LIMIT = "grid", "lattice-0.4", "extrapolated"
 PAPER_RANGE = (0.1, 1.5)  # capillary numbers of the paper
 CHECKS = {}
-VERDICTS = ("REPRODUCED", "NOT REPRODUCED", "NOT RUN")
+VERDICTS = ("REPRODUCED", "NOT REPRODUCED", "NOT DECIDED", "NOT RUN")
 
 
 def counted(verdicts):
     """How often each verdict was given, in words."""
     count = Counter(verdicts)
     return ", ".join(f"{count[name]} {name}" for name in VERDICTS)
+
+
+class Undecidable(Exception):
+    """Why a claim cannot be judged although its runs were made: one diverged, or a fit has too few points."""
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@ on one curve, next to the pillar, as in the tweezer, with inertia."""
 
 import numpy as np
 
-from study.claims import LATTICE_UM, SWEEP, Finding, at_paper_lattice, check, ranged, runs_of
+from study.claims import LATTICE_UM, SWEEP, Finding, Undecidable, at_paper_lattice, check, ranged, runs_of
 from study.claims_classes import grid, passages
 from study.tweezer import TweezerCurve
 
@@ -116,7 +116,7 @@ def tweezer_master_curve(tables, claim, _):
 
     found = distances(DENOMINATOR)
     if np.isnan(found).any():
-        return None
+        raise Undecidable("the tweezer curve or D_perp does not reach all capillary numbers")
     worst = np.abs(found).max()
     text = f"mean D_perp minus tweezer {ranged(found, '+.2f')} um, rms {np.sqrt((found**2).mean()):.2f} um"
     others = {
@@ -145,5 +145,7 @@ def inertia(tables, claim, _):
     text += ", same classes" if same else ", other classes"
     common = full.index.intersection(stokes.index)
     dropped = 100 * (full.d_perp_um[common] / stokes.d_perp_um[common] - 1)
-    note = f"against the Stokes equilibrium {ranged(dropped, '+.2f')} %" if len(common) else ""
+    points = ", ".join(f"d = {shift:g} um, Ca = {ca:g}" for shift, ca in full.index)
+    note = f"at {points} only"
+    note += f"; against the Stokes equilibrium {ranged(dropped, '+.2f')} %" if len(common) else ""
     return Finding(good, text, note, runs=runs_of(full, quarter))

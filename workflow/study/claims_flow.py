@@ -4,16 +4,22 @@ import math
 
 import numpy as np
 
-from study.claims import Finding, at_paper_lattice, check, ranged, runs_of
+from study.claims import Finding, Undecidable, at_paper_lattice, check, ranged, runs_of
 from study.fits import chi_squared
 
 
 def flow_rows(tables, variant="paper"):
-    """Converged rows of a variant of the flow; none in tiers where `paper` is not at the paper's lattice."""
+    """Converged rows of a variant of the flow; none in tiers where `paper` is not at the paper's lattice.
+
+    Undecidable if a flow of `paper` did not converge.
+    """
     table = tables["streamline_separation"]
-    rows = table[table.status == "converged"]
-    paper = at_paper_lattice(rows[rows.variant == "paper"])
-    return rows[rows.variant == variant] if len(paper) else paper
+    paper = at_paper_lattice(table[table.variant == "paper"])
+    failed = paper[paper.status != "converged"]
+    if len(failed):
+        raise Undecidable(f"the flow at d = {failed.row_shift_um.iloc[0]:g} um did not converge")
+    rows = table[(table.variant == variant) & (table.status == "converged")]
+    return rows if len(paper) else paper
 
 
 def pair_runs(rows):
@@ -28,7 +34,7 @@ def stokes_linear(tables, claim, _):
         return None
     changes = rows.relative_change.abs()
     growing = (rows.relative_change > 0).sum()
-    note = f"an increase at {growing} of {len(rows)} row shifts, else a decrease; the text says increase"
+    note = f"an increase at {growing} of {len(rows)} row shifts, else a decrease; the paper says increase"
     return Finding(
         bool(changes.max() < claim["value"]), ranged(changes, ".1e"), note, "1e-9", pair_runs(rows)
     )
@@ -170,7 +176,9 @@ def cell_area(tables, claim, _):
 @check("tweezer")
 def tweezer(tables, claim, experiment):
     table = tables["stretching"]
-    table = table[(table.method == "static") & (table.mesh_frequency == 10) & (table.status == "converged")]
+    table = table[(table.method == "static") & (table.mesh_frequency == 10)]
+    if len(table) and not (table.status == "converged").all():
+        raise Undecidable("a shape of the tweezer was not found to the wanted tolerance")
     points = experiment[
         (experiment.set == "SURESH2005_FIG7") & (experiment.F_pN > 0) & (experiment.F_pN <= 100)
     ]
