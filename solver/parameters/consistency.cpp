@@ -151,15 +151,17 @@ void check_streamlines(const Case& c, std::vector<Problem>& problems) {
   check_size(c, problems);
 }
 
-// Some vertex besides the tip, which a mesh need not have, has to lie within the patch that is pulled at.
+// Some vertex has to lie within the patch that is pulled at. Meshes of an even frequency have one at the tip.
 void check_stretching(const Case& c, std::vector<Problem>& problems) {
   // The icosahedral mesh has n edges along an arc of 63 degrees.
-  const double edge_um = 1.1 * c.cell.radius_um / c.cell.mesh_frequency;
-  if (c.stretching.contact_radius_um >= edge_um && c.stretching.contact_radius_um < c.cell.radius_um) return;
+  const double half_edge_um = 0.55 * c.cell.radius_um / c.cell.mesh_frequency;
+  const bool reaches = c.cell.mesh_frequency % 2 == 0 || c.stretching.contact_radius_um >= half_edge_um;
+  if (reaches && c.stretching.contact_radius_um < c.cell.radius_um) return;
   problems.push_back({"/stretching/contact_radius_um", number_text(c.stretching.contact_radius_um),
-                      "at least an edge of the mesh, " + number_text(std::ceil(100 * edge_um) / 100) +
-                          " um, and less than the radius of the cell",
-                      "raise it, or raise /cell/mesh_frequency"});
+                      "at least half an edge of the mesh, " +
+                          number_text(std::ceil(100 * half_edge_um) / 100) +
+                          " um, where its frequency is odd, and less than the radius of the cell",
+                      "use 1, or take an even /cell/mesh_frequency"});
 }
 
 void check_channel(const Case& c, std::vector<Problem>& problems) {

@@ -168,7 +168,8 @@ def generated(results, call, root, tmp_path_factory):
         output=flow.with_name("passages.csv"),
     )
     verdicts = folder / "claims.csv"
-    verdicts.write_text("id,claim,where,paper_value,measured,note,verdict\nreynolds,Re,here,1,2,,NOT RUN\n")
+    names = ["id", "claim", "where", "paper_value", "measured", "note", "explanation", "verdict"]
+    verdicts.write_text(f"{','.join(names)}\nreynolds,Re,here,1,2,,,NOT RUN\n")
     given = {"declared": PAPER / "numbers.toml", "tables": results / "tables", "verdicts": verdicts}
     given |= {"claims": claims, "case-schema": root / "workflow/schemas/case.schema.json"}
     call("paper_numbers", **given, plan=results / "plan.json", results=results, output=folder)

@@ -12,6 +12,11 @@ from study.schedule import run_priorities
 RUN_PRIORITIES = run_priorities(PLAN)
 
 
+def run_priority(wildcards):
+    """Priority of a run: the work that waits for it."""
+    return RUN_PRIORITIES[wildcards.run]
+
+
 rule solve:
     input:
         dld=ancient(DLD),
@@ -26,7 +31,7 @@ rule solve:
         f"{RUNS}/{{run}}/run.log",
     benchmark:
         f"{RUNS}/{{run}}/benchmark.tsv"
-    priority: lambda wildcards: RUN_PRIORITIES[wildcards.run]
+    priority: run_priority
     threads: 1
     shell:
         """
