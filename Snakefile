@@ -17,12 +17,18 @@ min_version("9.0")
 os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
 sys.path.insert(0, os.path.join(workflow.basedir, "workflow"))
 
-from study.plan import ids, load_plan, write_plan
+from study.plan import ids, load_plan, validated, write_plan
 from study.points import STUDY_GROUPS
+from study.validation import hint
 
 STUDY, CLAIMS = "params/study.json", "params/claims.json"
+OPTIONS = ["tier", "dld", "sample", "seed", "most_node_updates"]  # of --config
+for name in config:
+    if name not in OPTIONS:
+        raise ValueError(f"--config {name}: unknown; {hint(name, OPTIONS)}")
 TIER = str(config.get("tier", "paper"))
 PLAN = load_plan(STUDY, TIER)
+validated(CLAIMS, "claims")  # before any run, although they are judged after all
 RESULTS = "results" if TIER == "paper" else f"results/{TIER}"
 PLAN_FILE = write_plan(PLAN, f"{RESULTS}/plan.json")
 RUNS, TABLES, FIGURES, LOGS = (f"{RESULTS}/{name}" for name in ("runs", "tables", "figures", "logs"))

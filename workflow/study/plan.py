@@ -8,11 +8,10 @@ import hashlib
 import json
 from pathlib import Path
 
-from jsonschema import Draft202012Validator
-
 from study import points, stability
 from study.brackets import AXES, at_value, off_axis
 from study.points import merged
+from study.validation import chain, hint, inconsistencies, listing, load_json, pointer, violations, written_at
 
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMAS = ROOT / "workflow" / "schemas"
@@ -28,25 +27,21 @@ SECTIONS = {
 
 
 def read_json(path):
+    """The document of a file that the pipeline wrote itself."""
     return json.loads(Path(path).read_text(encoding="utf-8"))
 
 
 def problems(document, schema):
     """All violations of a schema, one line each with the JSON pointer of the place."""
-    errors = sorted(Draft202012Validator(schema).iter_errors(document), key=lambda e: list(map(str, e.path)))
-    return ["/" + "/".join(map(str, error.path)) + ": " + error.message for error in errors]
+    return [f"{pointer(path)}: {text}" for path, text in violations(document, schema)]
 
 
 def validated(path, schema_name):
     """The document of a file, or a ValueError that lists every violation of its schema."""
-    return _checked(read_json(path), path, schema_name)
-
-
-def _checked(document, path, schema_name):
-    """The document if it follows the schema, else a ValueError with the file and every violation."""
+    document = load_json(path)
     found = problems(document, read_json(SCHEMAS / f"{schema_name}.schema.json"))
     if found:
-        raise ValueError(f"{path} does not follow the {schema_name} schema:\n  " + "\n  ".join(found))
+        raise ValueError(listing(path, found))
     return document
 
 
@@ -79,10 +74,11 @@ def with_preset(case, case_schema):
 
 
 def resolved(case, case_schema):
-    """The case with all defaults, reduced to the sections that its scene reads."""
+    """The case with all defaults, reduced to the sections that its scene reads; a ValueError that lists every
+    violation of the schema."""
     found = problems(case, case_schema)
     if found:
-        raise ValueError("a case of the study does not follow the case schema:\n  " + "\n  ".join(found))
+        raise ValueError("; ".join(found))
     full = with_defaults(with_preset(case, case_schema), case_schema)
     if "epsilon" in case.get("geometry", {}):
         full["geometry"].pop("row_shift_um", None)
@@ -96,19 +92,36 @@ def run_id(case, solver_model):
 
 def expanded(tiers, name):
     """A tier with what it does not say itself taken from the tier that it `extends`."""
-    tier = dict(tiers[name])
-    base = tier.pop("extends", None)
-    if base is not None and base not in tiers:
-        raise ValueError(f"tier '{name}' extends '{base}'; the tiers are {', '.join(sorted(tiers))}")
-    return merged(expanded(tiers, base), tier) if base else tier
+    full = merged(*(tiers[part] for part in reversed(chain(tiers, name))))
+    full.pop("extends", None)
+    return full
 
 
 def load_study(path):
-    """The study of a file with every tier in full; a ValueError that lists what its schema forbids."""
-    study = read_json(path)
+    """The study of a file with every tier in full; a ValueError that lists all that is wrong with it, at the
+    place where it stands in the file."""
+    study = load_json(path)
     tiers = study.get("tiers", {})
-    in_full = study | {"tiers": {name: expanded(tiers, name) for name in tiers}}
-    return _checked(in_full, path, "study")
+    found = [
+        f"/tiers/{name}: an object is needed" for name, tier in tiers.items() if not isinstance(tier, dict)
+    ]
+    if found:
+        raise ValueError(listing(path, found))
+    try:
+        in_full = study | {"tiers": {name: expanded(tiers, name) for name in tiers}}
+    except ValueError as error:
+        raise ValueError(listing(path, [str(error)])) from None
+    found = list(violations(in_full, read_json(SCHEMAS / "study.schema.json")))
+    if not found:  # only a study that follows its schema has the names and ranges that are compared
+        found = [
+            (["tiers", name, *place], text)
+            for name, tier in in_full["tiers"].items()
+            for place, text in inconsistencies(tier)
+        ]
+    if found:  # what a tier takes from another is wrong once, where it is written
+        placed = {pointer(written_at(tiers, place)): text for place, text in reversed(found)}
+        raise ValueError(listing(path, [f"{place}: {text}" for place, text in reversed(placed.items())]))
+    return in_full
 
 
 class _Planner:
@@ -116,6 +129,20 @@ class _Planner:
 
     def __init__(self, case_schema, solver_model):
         self.case_schema, self.solver_model = case_schema, solver_model
+
+    def all_of(self, sources, tier):
+        """The runs of some sources; a ValueError that lists every case that is none."""
+        runs, found = [], []
+        for group, labels, overlay in (point for source in sources for point in source(tier)):
+            try:
+                runs.append(self.run(group, labels, overlay))
+            except ValueError as error:
+                found.append(
+                    f"{group} {' '.join(f'{key}={value}' for key, value in labels.items())}: {error}"
+                )
+        if found:
+            raise ValueError(listing("cases of the study that the solver would refuse", found))
+        return runs
 
     def run(self, group, labels, overlay):
         case = resolved(overlay, self.case_schema)
@@ -149,12 +176,12 @@ def _fingerprint(value):
 def make_plan(study, tier_name, case_schema):
     """The plan of a tier: its settings, its runs (id, group, labels, resolved case) and its brackets."""
     if tier_name not in study["tiers"]:
-        raise ValueError(f"there is no tier '{tier_name}'; the tiers are {', '.join(sorted(study['tiers']))}")
+        raise ValueError(f"there is no tier '{tier_name}'; {hint(tier_name, study['tiers'])}")
     tier = study["tiers"][tier_name]
     planner = _Planner(case_schema, study["solver_model"])
     sources = (points.streamlines, points.stokes, points.stretching, points.passages, points.sensitivity)
     sources += (stability.maps, stability.long_run)
-    runs = [planner.run(*point) for source in sources for point in source(tier)]
+    runs = planner.all_of(sources, tier)
     passages = [run for run in runs if run["case"]["scene"] == "passage"]
     static = {axis: _by_line(passages, axis) for axis in AXES}
     brackets = {}
@@ -164,8 +191,7 @@ def make_plan(study, tier_name, case_schema):
             brackets[name] = found[0]
             runs += found[1]
     # Last, so that the brackets do not wait for runs that only the target `accuracy` needs.
-    for source in (points.accuracy, points.settings_check):
-        runs += [planner.run(*point) for point in source(tier)]
+    runs += planner.all_of((points.accuracy, points.settings_check), tier)
     return {
         "tier": tier_name,
         "note": tier["note"],

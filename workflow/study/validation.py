@@ -1,0 +1,162 @@
+"""What is wrong with the files of the study, all of it at once: place, value, what is allowed, what to
+change."""
+
+import difflib
+import json
+from pathlib import Path
+
+from jsonschema import Draft202012Validator
+
+
+def load_json(path):
+    """The document of a JSON file; a ValueError that names the file and the place of bad syntax, or a key
+    that is given twice, of which JSON would silently keep the last."""
+
+    def once(pairs):
+        keys = [key for key, _ in pairs]
+        twice = sorted({key for key in keys if keys.count(key) > 1})
+        if twice:
+            raise ValueError(f"{path}: {', '.join(map(repr, twice))} given twice in one object; keep one")
+        return dict(pairs)
+
+    try:
+        return json.loads(Path(path).read_text(encoding="utf-8"), object_pairs_hook=once)
+    except json.JSONDecodeError as error:
+        place = f"line {error.lineno}, column {error.colno}"
+        raise ValueError(f"{path}, {place}: {error.msg}") from None
+
+
+def hint(name, known):
+    """What to write instead of an unknown name: the nearest known one, or all of them."""
+    near = difflib.get_close_matches(str(name), list(map(str, known)), 1)
+    return f"did you mean '{near[0]}'?" if near else f"allowed are {', '.join(sorted(map(str, known)))}"
+
+
+def pointer(path):
+    """The JSON pointer of a place."""
+    return "/" + "/".join(map(str, path))
+
+
+def violations(document, schema):
+    """(path, text) of all violations of a schema; unknown names with the nearest known one."""
+    for error in sorted(
+        Draft202012Validator(schema).iter_errors(document), key=lambda e: list(map(str, e.path))
+    ):
+        path = list(error.path)
+        if error.validator == "additionalProperties" and "properties" in error.schema:
+            known = error.schema["properties"]
+            for name in sorted(set(error.instance) - set(known)):
+                yield [*path, name], f"unknown name; {hint(name, known)}"
+        elif error.validator == "enum":
+            yield path, f"{error.message}; {hint(error.instance, error.validator_value)}"
+        else:
+            yield path, error.message
+
+
+def chain(tiers, name):
+    """Names of a tier and of those that it extends, nearest first; a ValueError where they go in a circle or
+    there is none of that name."""
+    names = [name]
+    while (base := tiers[names[-1]].get("extends")) is not None:
+        if base not in tiers:
+            raise ValueError(f"/tiers/{names[-1]}/extends: there is no tier '{base}'; {hint(base, tiers)}")
+        if base in names:
+            raise ValueError(f"/tiers/{names[-1]}/extends: '{base}' extends this tier, directly or not")
+        names.append(base)
+    return names
+
+
+def written_at(tiers, path):
+    """The place in the file of a place in a tier in full: that of the nearest tier that has most of it."""
+
+    def depth(name):
+        value, steps = tiers[name], 0
+        for key in path[2:]:
+            try:
+                value = value[key]
+            except (KeyError, IndexError, TypeError):
+                break
+            steps += 1
+        return steps
+
+    if len(path) < 2 or path[0] != "tiers":
+        return path
+    return ["tiers", max(chain(tiers, path[1]), key=depth), *path[2:]]
+
+
+def _known_names(tier):
+    """(path, name, known names) of every name in a tier that refers to something else in it."""
+    flow, boundary, figures = tier["streamlines"], tier["boundary"], tier["figures"]
+    variants, sweeps, series = flow["variants"], tier["passages"], boundary["series"]
+    choices, asked = tier["sensitivity"]["choices"], tier["sensitivity"]["boundary"]
+    limits = [*variants, *flow["refinement"]]
+    brackets = [*series] + [
+        f"sensitivity/{choice}/{value}" for choice in asked["choices"] for value in choices.get(choice, ())
+    ]
+    listed = [
+        (["streamlines", "refinement", key], names, variants) for key, names in flow["refinement"].items()
+    ]
+    listed += [
+        (["boundary", "extrapolated", key], names, series) for key, names in boundary["extrapolated"].items()
+    ]
+    listed.append((["sensitivity", "boundary", "choices"], asked["choices"], choices))
+    listed.append((["figures", "law_variants"], figures["law_variants"], limits))
+    listed.append((["accuracy", "class_sweeps"], tier["accuracy"]["class_sweeps"], sweeps))
+    for study, part in tier["accuracy"]["studies"].items():
+        for method, entry in part["methods"].items():
+            place = ["accuracy", "studies", study, "methods", method]
+            listed.append(([*place, "ladder"], entry.get("ladder", []), part.get("ladder", {})))
+            if "extends" in entry:
+                yield [*place, "extends"], entry["extends"], part["methods"]
+    for path, names, known in listed:
+        for number, name in enumerate(names):
+            yield [*path, number], name, known
+    yield ["sensitivity", "boundary", "reference"], asked["reference"], series
+    for choice, values in choices.items():
+        for value, entry in values.items():
+            if "series" in entry:
+                yield ["sensitivity", "choices", choice, value, "series"], entry["series"], brackets
+    yield ["figures", "streamline_variant"], figures["streamline_variant"], variants
+    yield ["figures", "trajectory_sweep"], figures["trajectory_sweep"], sweeps
+    yield ["figures", "deformed_cell", "sweep"], figures["deformed_cell"]["sweep"], sweeps
+    yield ["figures", "gap_cells", "sweep"], figures["gap_cells"]["sweep"], sweeps
+    yield ["figures", "gap_cells", "flow_variant"], figures["gap_cells"]["flow_variant"], variants
+
+
+def _ranges(tier):
+    """(path, [low, high]) of every range of a tier."""
+    for series, entry in tier["boundary"]["series"].items():
+        place = ["boundary", "series", series]
+        yield [*place, "ca_range"], entry["ca_range"]
+        for shift, ends in entry.get("ca_ranges", {}).items():
+            yield [*place, "ca_ranges", shift], ends
+    for series, entry in tier["boundary"]["mirror"].items():
+        yield ["boundary", "mirror", series, "row_shift_range_um"], entry["row_shift_range_um"]
+    yield ["sensitivity", "boundary", "ca_range"], tier["sensitivity"]["boundary"]["ca_range"]
+
+
+def inconsistencies(tier):
+    """(path, text) of what a schema cannot see in a tier in full: names without their object, ranges that go
+    backwards, methods that extend one another in a circle."""
+    for path, name, known in _known_names(tier):
+        if name not in known:
+            yield path, f"there is no '{name}'; {hint(name, known)}"
+    for path, (low, high) in _ranges(tier):
+        if not low < high:
+            yield path, f"[{low:g}, {high:g}]: the smaller end comes first; turn it round"
+    for study, part in tier["accuracy"]["studies"].items():
+        for method in part["methods"]:
+            seen, base = [method], part["methods"][method].get("extends")
+            while base in part["methods"] and base not in seen:
+                seen.append(base)
+                base = part["methods"][base].get("extends")
+            if base == method:
+                yield (
+                    ["accuracy", "studies", study, "methods", method, "extends"],
+                    "the methods extend one another in a circle",
+                )
+
+
+def listing(path, found):
+    """The text of an error: the file and every problem on a line of its own, each once."""
+    return f"{path}:\n  " + "\n  ".join(dict.fromkeys(found))
