@@ -52,6 +52,7 @@ BAD = [
     ("/tiers/paper/figures/trajectory_sweep", "gird", "did you mean 'grid'?"),
     ("/tiers/paper/figures/streamline_variant", "papr", "did you mean 'paper'?"),
     ("/tiers/paper/accuracy/class_sweeps", ["gird"], "class_sweeps/0: there is no 'gird'"),
+    ("/tiers/paper/stability/maps/mesh/extends", "bendng", "did you mean 'bending'?"),
     ("/tiers/paper/extends", "fine", "extends this tier, directly or not"),
     ("/tiers/smoke", 3, "/tiers/smoke: an object is needed"),
 ]

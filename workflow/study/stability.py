@@ -33,7 +33,8 @@ def maps(tier):
         x_name, y_name = plane["x"]["key"], plane["y"]["key"]
         for x, y in product(plane["x"]["values"], plane["y"]["values"]):
             labels = {"map": name, "x_name": x_name, "x": x, "y_name": y_name, "y": y}
-            point = merged(part["case"], plane["case"], at(x_name, x), at(y_name, y))
+            base = part["maps"][plane["extends"]]["case"] if "extends" in plane else {}
+            point = merged(part["case"], base, plane["case"], at(x_name, x), at(y_name, y))
             yield "stability", labels, merged(point, {"scene": "passage"})
 
 

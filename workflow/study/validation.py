@@ -108,6 +108,10 @@ def _known_names(tier):
             listed.append(([*place, "ladder"], entry.get("ladder", []), part.get("ladder", {})))
             if "extends" in entry:
                 yield [*place, "extends"], entry["extends"], part["methods"]
+    maps = tier["stability"]["maps"]
+    for name, plane in maps.items():
+        if "extends" in plane:
+            yield ["stability", "maps", name, "extends"], plane["extends"], maps
     for path, names, known in listed:
         for number, name in enumerate(names):
             yield [*path, number], name, known
