@@ -32,14 +32,14 @@ def test_a_misspelt_key_of_the_study_is_found(study, tmp_path):
     study["tiers"]["smoke"]["pasages"] = {}
     path = tmp_path / "study.json"
     path.write_text(json.dumps(study), encoding="utf-8")
-    with pytest.raises(ValueError, match=r"/tiers/smoke/pasages = .*did you mean 'passages'"):
+    with pytest.raises(ValueError, match=r"/tiers/smoke/pasages: unknown name; did you mean 'passages'"):
         planning.load_study(path)
 
 
 def test_a_tier_that_extends_none_of_the_tiers_is_found(study, tmp_path):
     path = tmp_path / "study.json"
     path.write_text(json.dumps(study | {"tiers": {"fine": {"extends": "papre"}}}), encoding="utf-8")
-    with pytest.raises(ValueError, match='/tiers/fine/extends = "papre": none is allowed here'):
+    with pytest.raises(ValueError, match="/tiers/fine/extends: there is no tier 'papre'; allowed are fine"):
         planning.load_study(path)
 
 
