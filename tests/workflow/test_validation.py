@@ -55,6 +55,9 @@ BAD = [
     ("/tiers/paper/stability/maps/mesh/extends", "bendng", "did you mean 'bending'?"),
     ("/tiers/paper/extends", "fine", "extends this tier, directly or not"),
     ("/tiers/smoke", 3, "/tiers/smoke: an object is needed"),
+    ("/tiers", [], "/tiers: an object is needed"),
+    ("/tiers/fine/extends", ["paper"], "/tiers/fine/extends: the name of a tier is needed"),
+    ("/tiers/paper/boundary", 3, "/tiers/paper/boundary: 3 is not of type 'object'"),
 ]
 
 
@@ -99,6 +102,9 @@ def test_bad_syntax_and_keys_given_twice_name_the_file(tmp_path):
     path = tmp_path / "bad.json"
     path.write_text('{"a": 1,\n "b" 2}', encoding="utf-8")
     with pytest.raises(ValueError, match=r"bad\.json, line 2, column 6"):
+        load_json(path)
+    path.write_text('{"a": NaN}', encoding="utf-8")
+    with pytest.raises(ValueError, match=r"bad\.json: NaN is no number"):
         load_json(path)
     path.write_text('{"a": {"b": 1, "b": 2}}', encoding="utf-8")
     with pytest.raises(ValueError, match=r"bad\.json: 'b' given twice"):

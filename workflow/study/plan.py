@@ -11,7 +11,17 @@ from pathlib import Path
 from study import points, stability
 from study.brackets import AXES, at_value, off_axis
 from study.points import merged
-from study.validation import chain, hint, inconsistencies, listing, load_json, pointer, violations, written_at
+from study.validation import (
+    chain,
+    hint,
+    inconsistencies,
+    listing,
+    load_json,
+    misshapen,
+    pointer,
+    violations,
+    written_at,
+)
 
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMAS = ROOT / "workflow" / "schemas"
@@ -101,12 +111,10 @@ def load_study(path):
     """The study of a file with every tier in full; a ValueError that lists all that is wrong with it, at the
     place where it stands in the file."""
     study = load_json(path)
-    tiers = study.get("tiers", {})
-    found = [
-        f"/tiers/{name}: an object is needed" for name, tier in tiers.items() if not isinstance(tier, dict)
-    ]
+    found = [f"{pointer(place)}: {text}" for place, text in misshapen(study)]
     if found:
         raise ValueError(listing(path, found))
+    tiers = study["tiers"]
     try:
         in_full = study | {"tiers": {name: expanded(tiers, name) for name in tiers}}
     except ValueError as error:

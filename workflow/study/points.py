@@ -21,7 +21,8 @@ def merged(*overlays):
     for overlay in overlays:
         for key, value in overlay.items():
             if isinstance(value, dict):
-                result[key] = merged(result.get(key, {}), value)
+                below = result.get(key)
+                result[key] = merged(below if isinstance(below, dict) else {}, value)
             else:
                 result[key] = value
     return result

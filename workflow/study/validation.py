@@ -10,7 +10,7 @@ from jsonschema import Draft202012Validator
 
 def load_json(path):
     """The document of a JSON file; a ValueError that names the file and the place of bad syntax, or a key
-    that is given twice, of which JSON would silently keep the last."""
+    that is given twice, of which JSON would silently keep the last, or a NaN, which no number here may be."""
 
     def once(pairs):
         keys = [key for key, _ in pairs]
@@ -19,8 +19,12 @@ def load_json(path):
             raise ValueError(f"{path}: {', '.join(map(repr, twice))} given twice in one object; keep one")
         return dict(pairs)
 
+    def no_number(name):
+        raise ValueError(f"{path}: {name} is no number of JSON; give a finite one")
+
+    text = Path(path).read_text(encoding="utf-8")
     try:
-        return json.loads(Path(path).read_text(encoding="utf-8"), object_pairs_hook=once)
+        return json.loads(text, object_pairs_hook=once, parse_constant=no_number)
     except json.JSONDecodeError as error:
         place = f"line {error.lineno}, column {error.colno}"
         raise ValueError(f"{path}, {place}: {error.msg}") from None
@@ -51,6 +55,21 @@ def violations(document, schema):
             yield path, f"{error.message}; {hint(error.instance, error.validator_value)}"
         else:
             yield path, error.message
+
+
+def misshapen(study):
+    """(path, text) of what keeps the tiers from being laid over one another: what is no object, or extends no
+    name."""
+    if not isinstance(study, dict):
+        yield [], "an object is needed"
+    elif not isinstance(study.get("tiers"), dict):
+        yield ["tiers"], "an object is needed, a tier for each name"
+    else:
+        for name, tier in study["tiers"].items():
+            if not isinstance(tier, dict):
+                yield ["tiers", name], "an object is needed"
+            elif not isinstance(tier.get("extends", ""), str):
+                yield ["tiers", name, "extends"], "the name of a tier is needed"
 
 
 def chain(tiers, name):
