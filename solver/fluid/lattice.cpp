@@ -134,8 +134,8 @@ void Lattice<Real>::collide_plane(Phase phase, int x, const ActiveRange& range) 
       from = y + (from - y) / width * width;
       to = std::min(end, from + (to - from + width - 1) / width * width);
       if (from > y) collide_run<Stokes, false>(places, {x, y, segment.z, from - y});
-      if (to > from) collide_run<Stokes, true>(places, {x, from, segment.z, to - from});
-      y = std::max(y, to);
+      collide_run<Stokes, true>(places, {x, from, segment.z, to - from});
+      y = to;
     }
     if (y < end) collide_run<Stokes, false>(places, {x, y, segment.z, end - y});
   }

@@ -20,10 +20,15 @@ def name_of(row):
     return f"{row.method}, {row.setting}" if row.setting else row.method
 
 
+def failed(rows):
+    """The rows of the settings that did not end well."""
+    return rows[~rows.status.isin(["ok", "no reference"])]
+
+
 def usable(rows):
     """The rows of the settings that ended well at all points of their study."""
     keys = ["study", "method", "setting"]
-    bad = rows[~rows.status.isin(["ok", "no reference"])].drop_duplicates(keys)[keys]
+    bad = failed(rows).drop_duplicates(keys)[keys]
     marked = rows.merge(bad, on=keys, how="left", indicator=True)
     return marked[marked["_merge"] == "left_only"].drop(columns="_merge")
 
@@ -51,8 +56,7 @@ def goals_of(rows):
 
 def failures_of(rows):
     """Lines on the settings that did not end well."""
-    bad = rows[~rows.status.isin(["ok", "no reference"])].drop_duplicates(["method", "setting"])
-    for row in bad.itertuples():
+    for row in failed(rows).drop_duplicates(["method", "setting"]).itertuples():
         than = f" than the finest of '{row.reference}'" if row.status == "other class" else ""
         yield f"- {name_of(row)}: {row.status}{than}"
 

@@ -5,7 +5,7 @@ shift."""
 from pathlib import Path
 
 from study.arguments import required_arguments
-from study.boundary import extrapolated_rows, undisputed
+from study.boundary import UNDISPUTED, extrapolated_rows, undisputed
 from study.brackets import point_at
 from study.plan import read_json
 from study.tables import write_table
@@ -20,7 +20,6 @@ BOUNDARY = [
     "settings",
     "series",
 ]
-UNDISPUTED = ["ca_undisputed_displaced", "ca_undisputed_zigzag"]  # a fit goes through these
 BOUNDARY += ["undecided_inside", "contradictions", *UNDISPUTED]
 BOUNDARY += ["observed_order", "confirmed", "runs"]
 ROW_SHIFTS = ["series", "dx_um", "capillary_number", "d_displaced_um", "d_zigzag_um", "status"]

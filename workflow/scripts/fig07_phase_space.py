@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from study import style
 from study.arguments import figure_arguments
-from study.boundary import PARAMETERS, bootstrap_boundary, brackets_of, law
+from study.boundary import PARAMETERS, UNDISPUTED, bootstrap_boundary, brackets_of, law
 from study.claims import load_claims
 from study.plan import read_json
 from study.tables import read_table, write_table
@@ -18,8 +18,7 @@ COLUMNS = [
     "row_shift_um",
     "capillary_number",
     "class",
-    "ca_undisputed_displaced",
-    "ca_undisputed_zigzag",
+    *UNDISPUTED,
 ]
 COLUMNS += ["status", "contradictions", "d_um", "d_low_um", "d_high_um"]
 CURVE = np.geomspace(0.08, 2.5, 60)  # capillary numbers of the curves
@@ -108,7 +107,7 @@ def collect(arguments, sweep):
 def draw_brackets(axes, rows, colour, marker, shift, label):
     """Brackets as bars with a symbol in their (geometric) middle, hollow if they are wider than asked for."""
     for row in rows.to_dict("records"):
-        low, high = row["ca_undisputed_displaced"], row["ca_undisputed_zigzag"]
+        low, high = (row[name] for name in UNDISPUTED)
         if low != low or high != high:
             continue  # the boundary is not within the range of Ca at this row shift
         y, middle = row["row_shift_um"] + shift, np.sqrt(low * high)
@@ -160,7 +159,7 @@ def main():
     plan = read_json(arguments.plan)
     rows = collect(arguments, plan["figures"]["trajectory_sweep"])
     styles = dict.fromkeys(["row_shift_um", "d_um", "d_low_um", "d_high_um"], ".3f")
-    styles |= dict.fromkeys(["capillary_number", "ca_undisputed_displaced", "ca_undisputed_zigzag"], ".4g")
+    styles |= dict.fromkeys(["capillary_number", *UNDISPUTED], ".4g")
     write_table(rows, COLUMNS, arguments.csv, styles=styles)
     table = read_table(arguments.csv)
     figure = style.new_figure(style.PAGE, 4.0)

@@ -9,6 +9,8 @@ from scipy.special import ndtr
 
 from study.fits import observed_order
 
+#: Columns of the table of the boundary that a fit goes through, see undisputed.
+UNDISPUTED = ["ca_undisputed_displaced", "ca_undisputed_zigzag"]
 PARAMETERS = ("offset_um", "amplitude_um", "rate")
 #: Smallest scatter of row shifts about the law that is believed, um: a twentieth of the paper's lattice.
 SMALLEST_SCATTER_UM = 0.02
@@ -113,9 +115,8 @@ def undisputed(points):
 def brackets_of(table, series):
     """(row shifts, displaced up to, zigzag from) of a series of the table of the boundary, for a fit: um and
     undisputed capillary numbers, NaN where there is none."""
-    ends = ["ca_undisputed_displaced", "ca_undisputed_zigzag"]
-    rows = table[(table.series == series) & table[ends].notna().any(axis=1)]
-    return tuple(rows[["row_shift_um", *ends]].to_numpy(float).T)
+    rows = table[(table.series == series) & table[UNDISPUTED].notna().any(axis=1)]
+    return tuple(rows[["row_shift_um", *UNDISPUTED]].to_numpy(float).T)
 
 
 def _closed(low, high):
