@@ -1,11 +1,12 @@
 """Content of the report: points of the phase space, trajectories, figures inside the page, tables as text."""
 
 import base64
-import io
 import json
 import math
 
 from PIL import Image
+
+from study.pictures import png_with_palette
 
 CLASSES = ["displaced", "zigzag", "undecided", "diverged", "interrupted"]
 IMAGE_WIDTH = 1380  # pixels; twice the width at which the page shows a figure
@@ -105,9 +106,7 @@ def embedded(path):
         if small.width > IMAGE_WIDTH:
             size = (IMAGE_WIDTH, round(small.height * IMAGE_WIDTH / small.width))
             small = small.resize(size, Image.Resampling.LANCZOS)
-        buffer = io.BytesIO()
-        small.quantize(255, dither=Image.Dither.NONE).save(buffer, "PNG", optimize=True)
-    return "data:image/png;base64," + base64.b64encode(buffer.getvalue()).decode()
+        return "data:image/png;base64," + base64.b64encode(png_with_palette(small)).decode()
 
 
 def figures(folder, captions):

@@ -1,8 +1,12 @@
 """One look for all figures, and the one function that saves them: same data, same bytes."""
 
+from io import BytesIO
 from pathlib import Path
 
 import matplotlib
+from PIL import Image
+
+from study.pictures import png_with_palette
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
@@ -68,7 +72,9 @@ def save(figure, pdf_path, note=""):
     path = Path(pdf_path)
     path.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(path, metadata={"CreationDate": None, "Producer": None, "Creator": None})
-    figure.savefig(path.with_suffix(".png"), dpi=300, metadata={"Software": None})
+    pixels = BytesIO()
+    figure.savefig(pixels, format="png", dpi=300)
+    path.with_suffix(".png").write_bytes(png_with_palette(Image.open(pixels)))
     plt.close(figure)
 
 
