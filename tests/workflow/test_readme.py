@@ -33,6 +33,7 @@ def test_the_committed_numbers_are_those_of_the_committed_results(tmp_path):
         readme.boundary(brackets, claim),
         readme.doubts(brackets),
         readme.blocked(brackets, claim),
+        readme.starts(table("results/tables/second_starts.csv")),
         readme.verdicts(table("results/claims.csv")),
     ):
         assert block in text, "make the numbers again: snakemake --cores 2 readme"
@@ -123,6 +124,11 @@ def test_brackets_without_lateral_flow_stand_beside_the_printed_law():
         "| 6.8 |  | 0.2 - 0.22 | 0.19 |  |",
         "| 9.0 |  | 0.2 - 0.22 |  |  |",
     ]
+
+
+def test_second_starts_stand_by_set():
+    row = {"set": "grid", "points": 20, "same_class": 18, "other_class": 2, "no_class": 0}
+    assert readme.starts(pd.DataFrame([row])).splitlines()[2:] == ["| grid | 20 | 18 | 2 | 0 |"]
 
 
 def test_the_critical_capillary_number_inverts_the_law():

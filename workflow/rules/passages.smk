@@ -1,7 +1,9 @@
 """Cells passing through the array: class of the trajectory, lateral extent, every crossing of a pillar line."""
 
 PASSAGE_TABLES = expand(
-    "{folder}/{name}.csv", folder=TABLES, name=["passages", "crossings", "return_maps", "a_priori", "a_priori_summary"]
+    "{folder}/{name}.csv",
+    folder=TABLES,
+    name=["passages", "crossings", "return_maps", "second_starts", "a_priori", "a_priori_summary"],
 )
 
 
@@ -45,6 +47,23 @@ rule crossings_table:
         """
         python {input.script} --plan {input.plan} --runs {params.runs} --brackets {params.brackets} \
             --output {output.crossings} --maps {output.maps} 2> {log}
+        """
+
+
+rule second_starts:
+    input:
+        passages=rules.passages_table.output,
+        confirmation=rules.boundary_tables.output.confirmation,
+        script=f"{SCRIPTS}/second_starts_table.py",
+        package=PACKAGE,
+    output:
+        f"{TABLES}/second_starts.csv",
+    log:
+        f"{LOGS}/second_starts.log",
+    shell:
+        """
+        python {input.script} --passages {input.passages} --confirmation {input.confirmation} \
+            --output {output} 2> {log}
         """
 
 

@@ -74,7 +74,7 @@ rule report:
 # On request: the text is the project's own, and only its numbers come from the results.
 rule readme:
     input:
-        tables=expand("{folder}/{name}.csv", folder=TABLES, name=["stage_times", "phase_boundary"]),
+        tables=expand("{folder}/{name}.csv", folder=TABLES, name=["stage_times", "phase_boundary", "second_starts"]),
         verdicts=rules.claims.output.csv,
         claims=CLAIMS,
         script=f"{SCRIPTS}/readme_numbers.py",

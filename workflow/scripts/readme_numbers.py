@@ -18,6 +18,7 @@ def main():
         "boundary": readme.boundary(brackets, claim),
         "doubts": readme.doubts(brackets),
         "blocked": readme.blocked(brackets, claim),
+        "starts": readme.starts(read_table(tables / "second_starts.csv")),
         "verdicts": readme.verdicts(read_table(arguments.verdicts)),
     }
     path = Path(arguments.readme)

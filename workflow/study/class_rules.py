@@ -4,14 +4,12 @@ The class that a passage ended with, displaced or zigzag, is taken as true. It i
 the passage; how far that is from the device's is the matter of the other studies.
 """
 
-from collections import defaultdict
-
 import numpy as np
 
 from study.accuracy import ALL
+from study.second_starts import DECIDED, grid_pairs
 
 KIND = "class, share of wrong ones"
-DECIDED = ("displaced", "zigzag")
 LINES = (1, 2, 3, 4, 5, 6, 8, 10)
 
 
@@ -61,13 +59,8 @@ def passages_of(table, crossings, sweeps, weight):
 
 def second_starts(table):
     """(share of classes that a start elsewhere changes, number of pairs) over the points that have both."""
-    keys = ["dx_um", "lateral_flow", "skalak_denominator", "row_shift_um", "capillary_number"]
-    classes = defaultdict(dict)
-    for row in table[table["class"].isin(DECIDED)].to_dict("records"):
-        if row["sweep"] in ("grid", "second-start"):
-            classes[tuple(row[key] for key in keys)][row["sweep"]] = row["class"]
-    pairs = [found for found in classes.values() if len(found) == 2]
-    different = sum(found["grid"] != found["second-start"] for found in pairs)
+    pairs = [pair for pair in grid_pairs(table) if pair[1] in DECIDED]
+    different = sum(first != second for first, second in pairs)
     return (different / len(pairs) if pairs else None), len(pairs)
 
 

@@ -133,6 +133,14 @@ def boundary(table, claim):
     return "\n".join(markdown_table(["d / um", *heads, *limits, "paper, Eq. (5)", AGAINST_PRINT], rows))
 
 
+def starts(table):
+    """What became of the class of passages from a second place, by set of passages."""
+    heads = {"set": "started in the middle of the gap", "points": "passages", "same_class": "same class"}
+    heads |= {"other_class": "the other", "no_class": "undecided or failed"}
+    rows = table[list(heads)].itertuples(index=False, name=None)
+    return "\n".join(markdown_table(list(heads.values()), [list(row) for row in rows]))
+
+
 def verdicts(table):
     """How many claims came out and how many did not."""
     return f"**Claims: {counted(table.verdict).lower()}.**"
