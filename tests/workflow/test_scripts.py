@@ -1,11 +1,13 @@
 """The scripts on made-up runs of both tiers: columns, fits, labels, verdicts, figures with the same bytes."""
 
+import json
 import shutil
 import subprocess
 import sys
 
 import pandas as pd
 import pytest
+from study.plan import read_json
 
 EXPERIMENT = "params/experiment/tweezer_experiment.csv"
 EXPECTED = {
@@ -16,6 +18,7 @@ EXPECTED = {
     "critical_row_shift": "series dx_um capillary_number d_displaced_um d_zigzag_um status runs",
     "boundary_confirmation": "series row_shift_um confirmation class_at_displaced agrees runs",
     "boundary_points": "series dx_um row_shift_um capillary_number class run",
+    "second_starts": "set points same_class other_class no_class",
     "crossings": "sweep dx_um row_shift_um capillary_number row gap_position_um bump d_perp_um film_um run",
     "return_maps": "sweep row_shift_um capillary_number row gap_position_um next_gap_position_um bump",
     "a_priori": "sweep dx_um row_shift_um capillary_number class predicted_tweezer predicted_centre run",
@@ -39,6 +42,10 @@ def passages(folder, results, given, call):
     confirmation = folder / "boundary_confirmation.csv"
     call("boundary_tables", plan=given["plan"], **brackets, **outputs, confirmation=confirmation)
     call("passages_table", **given, **brackets, output=folder / "passages.csv")
+    table = folder / "passages.csv"
+    call(
+        "second_starts_table", passages=table, confirmation=confirmation, output=folder / "second_starts.csv"
+    )
     maps = folder / "return_maps.csv"
     call("crossings_table", **given, **brackets, output=folder / "crossings.csv", maps=maps)
     call("stage_times", **given, **brackets, output=folder / "stage_times.csv")
@@ -90,6 +97,23 @@ def test_diverged_passages_are_labelled_rows(tables, results):
         assert set(diverged.failing_quantity) == {"speed"}
 
 
+def test_a_stokes_flow_that_diverged_is_a_row_without_a_comparison(results, call, tmp_path):
+    plan = read_json(results / "plan.json")
+    plan["runs"] = [run for run in plan["runs"] if run["group"] == "stokes"]
+    (tmp_path / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
+    for run in plan["runs"]:
+        shutil.copytree(results / "runs" / run["id"], tmp_path / "runs" / run["id"])
+    bad = plan["runs"][0]
+    (tmp_path / "runs" / bad["id"] / "summary.json").write_text('{"status": "diverged"}', encoding="utf-8")
+    output = tmp_path / "stokes_checks.csv"
+    call("stokes_checks", plan=tmp_path / "plan.json", runs=tmp_path / "runs", output=output)
+    table = pd.read_csv(output)
+    hit = table.runs.str.contains(bad["id"])
+    assert hit.sum() == 1
+    assert table[hit].relative_change.isna().all()
+    assert table[~hit].relative_change.notna().all()
+
+
 def test_verdicts(tables, results, call, root):
     csv, markdown = results / "claims.csv", results / "claims.md"
     given = {
@@ -132,6 +156,17 @@ def test_a_flow_that_diverged_leaves_its_claims_undecided_and_is_no_error(tables
     assert found.verdict["table-1"] == found.verdict["resistance"] == "NOT DECIDED"
     assert "did not converge" in found.note["table-1"]
     assert found.verdict["eps-17-stiff-displaced"] == "REPRODUCED"
+
+
+def test_a_stokes_flow_that_diverged_leaves_its_claims_undecided(tables, whole_study, call, root):
+    rows = tables["stokes_checks"].copy()
+    rows.loc[0, "relative_change"] = None
+    rows.to_csv(whole_study / "stokes_checks.csv", index=False)
+    given = {"claims": root / "params/claims.json", "tables": whole_study, "experiment": root / EXPERIMENT}
+    csv = whole_study / "claims.csv"
+    call("claims_table", **given, tier="fine", csv=csv, markdown=whole_study / "claims.md")
+    verdict = pd.read_csv(csv).set_index("id").verdict
+    assert verdict["stokes-linear"] == verdict["stokes-mirror"] == "NOT DECIDED"
 
 
 def test_a_claim_without_its_runs_is_an_error_of_the_whole_study_alone(tables, whole_study, root, tmp_path):

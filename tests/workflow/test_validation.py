@@ -41,6 +41,14 @@ BAD = [
     ("/tiers/paper/pasages", {}, "/tiers/paper/pasages: unknown name; did you mean 'passages'?"),
     ("/tiers/paper/boundary/series/lattice-0.2/ca_range", [2, 0.1], "the smaller end comes first"),
     ("/tiers/paper/boundary/series/lattice-0.2/ca_ranges", {"6": [0.8, 0.3]}, "ca_ranges/6: [0.8, 0.3]"),
+    ("/tiers/paper/boundary/series/lattice-0.2/ca_ranges", {"6.4": [0.3, 0.8]}, "has no row shift 6.4"),
+    ("/tiers/paper/figures/array/variant", "papr", "did you mean 'paper'?"),
+    ("/tiers/paper/accuracy/studies/tweezer/methods/static/reference", "statik", "did you mean 'static'?"),
+    (
+        "/tiers/paper/accuracy/studies/tweezer/references/static/methods",
+        ["statik"],
+        "there is no 'statik'; did",
+    ),
     ("/tiers/paper/streamlines/refinement/refined", ["accurat", "accurate-0.4"], "did you mean 'accurate'?"),
     (
         "/tiers/paper/boundary/extrapolated/extrapolated",

@@ -54,14 +54,19 @@ def row_of(runs):
     low, high = sorted(runs, key=lambda run: run.labels["force_density"])
     forces = [run.labels["force_density"] for run in (low, high)]
     summaries = [low.summary, high.summary]
-    mobilities = [s["mean_velocity"] / force for s, force in zip(summaries, forces, strict=True)]
-    (low_max, _), (high_max, high_rms) = reversal(low), reversal(high)
-    return {
+    row = {
         "row_shift_um": low.row_shift_um,
         "epsilon": low.epsilon,
         "dx_um": low.dx_um,
         "force_density_low": forces[0],
         "force_density_high": forces[1],
+        "runs": f"{low.id} {high.id}",
+    }
+    if "diverged" in (one["status"] for one in summaries):
+        return row  # a labelled gap: there is no flow to compare
+    mobilities = [s["mean_velocity"] / force for s, force in zip(summaries, forces, strict=True)]
+    (low_max, _), (high_max, high_rms) = reversal(low), reversal(high)
+    return row | {
         "reynolds_low": summaries[0]["reynolds_number"],
         "reynolds_high": summaries[1]["reynolds_number"],
         "mobility_low": mobilities[0],
@@ -72,7 +77,6 @@ def row_of(runs):
         "reversal_rms_high": high_rms,
         "s_um_high": summaries[1]["separation_um"],
         "s_upper_um_high": summaries[1]["separation_upper_um"],
-        "runs": f"{low.id} {high.id}",
     }
 
 

@@ -125,8 +125,13 @@ def _known_names(tier):
         for method, entry in part["methods"].items():
             place = ["accuracy", "studies", study, "methods", method]
             listed.append(([*place, "ladder"], entry.get("ladder", []), part.get("ladder", {})))
+            if "reference" in entry:
+                yield [*place, "reference"], entry["reference"], part["references"]
             if "extends" in entry:
                 yield [*place, "extends"], entry["extends"], part["methods"]
+        for reference, entry in part["references"].items():
+            place = ["accuracy", "studies", study, "references", reference, "methods"]
+            listed.append((place, entry["methods"], part["methods"]))
     maps = tier["stability"]["maps"]
     for name, plane in maps.items():
         if "extends" in plane:
@@ -144,6 +149,8 @@ def _known_names(tier):
     yield ["figures", "deformed_cell", "sweep"], figures["deformed_cell"]["sweep"], sweeps
     yield ["figures", "gap_cells", "sweep"], figures["gap_cells"]["sweep"], sweeps
     yield ["figures", "gap_cells", "flow_variant"], figures["gap_cells"]["flow_variant"], variants
+    yield ["figures", "array", "sweep"], figures["array"]["sweep"], sweeps
+    yield ["figures", "array", "variant"], figures["array"]["variant"], variants
 
 
 def _ranges(tier):
@@ -160,13 +167,19 @@ def _ranges(tier):
 
 def inconsistencies(tier):
     """(path, text) of what a schema cannot see in a tier in full: names without their object, ranges that go
-    backwards, methods that extend one another in a circle."""
+    backwards or of a row shift that the series does not have, methods that extend one another in a circle."""
     for path, name, known in _known_names(tier):
         if name not in known:
             yield path, f"there is no '{name}'; {hint(name, known)}"
     for path, (low, high) in _ranges(tier):
         if not low < high:
             yield path, f"[{low:g}, {high:g}]: the smaller end comes first; turn it round"
+    for series, entry in tier["boundary"]["series"].items():
+        for shift in entry.get("ca_ranges", {}):
+            if float(shift) not in entry["row_shifts_um"]:
+                shifts = ", ".join(f"{one:g}" for one in entry["row_shifts_um"])
+                place = ["boundary", "series", series, "ca_ranges", shift]
+                yield place, f"the series has no row shift {shift}; it has {shifts}"
     for study, part in tier["accuracy"]["studies"].items():
         for method in part["methods"]:
             seen, base = [method], part["methods"][method].get("extends")
