@@ -16,7 +16,7 @@ def passages(*pairs):
 
 def confirmation(*rows):
     names = ["series", "ca_displaced", "class_at_displaced", "ca_zigzag", "class_at_zigzag"]
-    return pd.DataFrame(rows, columns=names)
+    return pd.DataFrame(rows, columns=names).assign(confirmation="second-start")
 
 
 def test_the_grid_gives_its_decided_points_only():
@@ -35,6 +35,11 @@ def test_an_end_that_a_bracket_does_not_have_is_not_counted():
     assert end_pairs(table) == {
         "lattice-0.4": [("displaced", "displaced"), ("zigzag", "displaced"), ("displaced", "displaced")]
     }
+
+
+def test_a_confirmation_of_another_kind_is_no_second_start():
+    table = confirmation(("lattice-0.4", 0.5, "displaced", 0.6, "displaced"))
+    assert end_pairs(table.assign(confirmation="finer-mesh")) == {}
 
 
 def test_every_passage_is_counted_once():

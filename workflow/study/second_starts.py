@@ -5,7 +5,7 @@ import pandas as pd
 
 KEYS = ["dx_um", "lateral_flow", "skalak_denominator", "row_shift_um", "capillary_number"]
 DECIDED = ("displaced", "zigzag")
-#: Name of the sweep of passages from the second place, and of the one that it is set against.
+#: Name of the sweep and of the confirmations from the second place, and of the sweep they are set against.
 SWEEP, BASE = "second-start", "grid"
 
 
@@ -19,7 +19,7 @@ def grid_pairs(passages):
 def end_pairs(confirmation):
     """By series, (class, class from the second place) of the ends of its brackets."""
     found = {}
-    for row in confirmation.to_dict("records"):
+    for row in confirmation[confirmation.confirmation == SWEEP].to_dict("records"):
         for label in DECIDED:
             if pd.notna(row[f"ca_{label}"]):
                 found.setdefault(row["series"], []).append((label, row[f"class_at_{label}"]))
