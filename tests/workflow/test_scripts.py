@@ -145,27 +145,38 @@ def whole_study(results, tmp_path):
     return tmp_path / "tables"
 
 
-def test_a_flow_that_diverged_leaves_its_claims_undecided_and_is_no_error(tables, whole_study, call, root):
+@pytest.fixture
+def verdicts(whole_study, call, root):
+    """Judges the claims by the changed tables; a data frame by claim."""
+
+    def judged():
+        given = {
+            "claims": root / "params/claims.json",
+            "tables": whole_study,
+            "experiment": root / EXPERIMENT,
+        }
+        csv = whole_study / "claims.csv"
+        call("claims_table", **given, tier="fine", csv=csv, markdown=whole_study / "claims.md")
+        return pd.read_csv(csv).set_index("id")
+
+    return judged
+
+
+def test_a_flow_that_diverged_leaves_its_claims_undecided_and_is_no_error(tables, whole_study, verdicts):
     rows = tables["streamline_separation"]
     rows.loc[rows.index[rows.variant == "paper"][0], "status"] = "diverged"
     rows.to_csv(whole_study / "streamline_separation.csv", index=False)
-    given = {"claims": root / "params/claims.json", "tables": whole_study, "experiment": root / EXPERIMENT}
-    csv, markdown = whole_study / "claims.csv", whole_study / "claims.md"
-    call("claims_table", **given, tier="fine", csv=csv, markdown=markdown)
-    found = pd.read_csv(csv).set_index("id")
+    found = verdicts()
     assert found.verdict["table-1"] == found.verdict["resistance"] == "NOT DECIDED"
     assert "did not converge" in found.note["table-1"]
     assert found.verdict["eps-17-stiff-displaced"] == "REPRODUCED"
 
 
-def test_a_stokes_flow_that_diverged_leaves_its_claims_undecided(tables, whole_study, call, root):
+def test_a_stokes_flow_that_diverged_leaves_its_claims_undecided(tables, whole_study, verdicts):
     rows = tables["stokes_checks"].copy()
     rows.loc[0, "relative_change"] = None
     rows.to_csv(whole_study / "stokes_checks.csv", index=False)
-    given = {"claims": root / "params/claims.json", "tables": whole_study, "experiment": root / EXPERIMENT}
-    csv = whole_study / "claims.csv"
-    call("claims_table", **given, tier="fine", csv=csv, markdown=whole_study / "claims.md")
-    verdict = pd.read_csv(csv).set_index("id").verdict
+    verdict = verdicts().verdict
     assert verdict["stokes-linear"] == verdict["stokes-mirror"] == "NOT DECIDED"
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from study.arguments import required_arguments
 from study.claims import load_claims
+from study.passages import DECIDED
 from study.plan import read_json
 from study.tables import read_table, write_table
 from study.tweezer import SeparationCurve, TweezerCurve
@@ -60,7 +61,7 @@ def row_of(row, separation, distances, tweezer, law):
         "d_perp": larger(row["d_perp_um"], 2 * s),
         "centre": larger(row["centre_um"], s),
     }
-    known = row["class"] in ("displaced", "zigzag")
+    known = row["class"] in DECIDED
     found = row | {"s_um": s, "s_variant": variant, "printed_d_cr_um": printed, "tweezer_um": diameter}
     for rule, prediction in predictions.items():
         found[f"predicted_{rule}"] = prediction

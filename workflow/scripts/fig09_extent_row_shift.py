@@ -5,8 +5,9 @@ import numpy as np
 from study import style
 from study.arguments import figure_arguments
 from study.claims import load_claims
-from study.extent import DECIDED, draw_classes, law_of, note_missing, of_sweep
+from study.extent import draw_classes, law_of, note_missing, of_sweep
 from study.fits import power_law
+from study.passages import DECIDED
 from study.plan import read_json
 from study.tables import read_table, write_table
 

@@ -8,8 +8,9 @@ of another crossing. A film that ends below zero shows that these lattices are t
 import numpy as np
 from study import style
 from study.arguments import figure_arguments
-from study.extent import DECIDED, MARKERS, panel_note, shade
+from study.extent import MARKERS, panel_note, shade
 from study.fits import first_order_limit
+from study.passages import DECIDED
 from study.plan import read_json
 from study.tables import read_table, write_table
 

@@ -6,7 +6,6 @@ import numpy as np
 from study import style
 from study.arguments import figure_arguments
 from study.extent import (
-    DECIDED,
     GREY,
     MARKERS,
     capillary_axis,
@@ -15,6 +14,7 @@ from study.extent import (
     panel_note,
     shade,
 )
+from study.passages import DECIDED
 from study.plan import read_json
 from study.tables import read_table, write_table
 

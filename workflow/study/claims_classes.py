@@ -19,6 +19,7 @@ from study.claims import (
     ranged,
     runs_of,
 )
+from study.passages import DECIDED
 
 # Series of brackets that stand beside the paper's lattice.
 OTHERS = ("lattice-0.2", LIMIT, "corrected-0.4", "blocked-corrected")
@@ -148,13 +149,11 @@ def window(tables, claim, _):
     if rows.row_shift_um.nunique() < ROW_SHIFTS:
         return None
     found = rows.groupby("row_shift_um").label.agg(set)
-    mixed = [shift for shift, labels in found.items() if {"displaced", "zigzag"} <= labels]
+    mixed = [shift for shift, labels in found.items() if labels.issuperset(DECIDED)]
     low, high = claim["value"]
     beyond = [shift for shift in mixed if not low < shift < high]
     unclear = [
-        shift
-        for shift, labels in found.items()
-        if not low < shift < high and labels - {"displaced", "zigzag"}
+        shift for shift, labels in found.items() if not low < shift < high and labels.difference(DECIDED)
     ]
     good = bool(mixed) and not beyond and not unclear
 

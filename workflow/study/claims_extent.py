@@ -5,6 +5,7 @@ import numpy as np
 
 from study.claims import LATTICE_UM, SWEEP, Finding, Undecidable, at_paper_lattice, check, ranged, runs_of
 from study.claims_classes import grid, passages
+from study.passages import DECIDED
 from study.tweezer import TweezerCurve
 
 DENOMINATOR = 12  # default of the study
@@ -55,7 +56,7 @@ def misclassified(rows, printed, factor):
 @check("sharp-separation")
 def sharp_separation(tables, claim, _):
     rows = grid(tables)
-    rows = rows[rows.label.isin(["displaced", "zigzag"]) & rows.d_perp_um.notna()]
+    rows = rows[rows.label.isin(DECIDED) & rows.d_perp_um.notna()]
     if len(rows) < 50:
         return None
     law = tables["a_priori"].drop_duplicates("run").set_index("run").printed_d_cr_um

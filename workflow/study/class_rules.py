@@ -7,7 +7,8 @@ the passage; how far that is from the device's is the matter of the other studie
 import numpy as np
 
 from study.accuracy import ALL
-from study.second_starts import DECIDED, grid_pairs
+from study.passages import DECIDED
+from study.second_starts import grid_pairs
 
 KIND = "class, share of wrong ones"
 LINES = (1, 2, 3, 4, 5, 6, 8, 10)

@@ -6,7 +6,6 @@ import numpy as np
 from study import style
 
 MARKERS = {"displaced": "o", "zigzag": "^", "undecided": "s", "diverged": "x", "interrupted": "+"}
-DECIDED = ["displaced", "zigzag"]
 GREY = "#777777"
 
 

@@ -20,6 +20,8 @@ FROM_SUMMARY = [
     "failing_value",
     "failing_step",
 ]
+#: Classes that say what a cell does.
+DECIDED = ("displaced", "zigzag")
 #: By which the rows are sorted.
 KEYS = ["sweep", "dx_um", "skalak_denominator", "lateral_flow", "row_shift_um", "capillary_number"]
 COLUMNS = [

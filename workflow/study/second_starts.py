@@ -3,15 +3,16 @@ became, over points of the phase space and over the ends of the brackets."""
 
 import pandas as pd
 
-KEYS = ["dx_um", "lateral_flow", "skalak_denominator", "row_shift_um", "capillary_number"]
-DECIDED = ("displaced", "zigzag")
+from study.passages import DECIDED, KEYS
+
 #: Name of the sweep and of the confirmations from the second place, and of the sweep they are set against.
 SWEEP, BASE = "second-start", "grid"
 
 
 def grid_pairs(passages):
     """(class, class from the second place) of the points where the first one is decided."""
-    classes = [passages[passages.sweep == name].set_index(KEYS)["class"] for name in (BASE, SWEEP)]
+    point = [key for key in KEYS if key != "sweep"]
+    classes = [passages[passages.sweep == name].set_index(point)["class"] for name in (BASE, SWEEP)]
     both = pd.concat(classes, axis=1, keys=["first", "second"], join="inner")
     return list(both[both["first"].isin(DECIDED)].itertuples(index=False, name=None))
 
