@@ -1,6 +1,6 @@
 """What the frontiers say, in words: the cheapest setting for a wanted accuracy, what failed, the error of the
-presets, how passages converge with the lattice spacing, whether the fast settings of the study change a
-result, and the weight of a membrane update by the run times. All of it comes from the tables."""
+presets, how passages converge with the lattice spacing, whether fast settings change a result, and the weight
+of a membrane update by the run times. All of it comes from the tables."""
 
 from pathlib import Path
 
@@ -99,21 +99,22 @@ def ladders_of(table):
     yield ""
 
 
-def check_of(check):
-    """Lines on the passages that were run with the settings of the study and with conservative ones."""
-    change, steps = check.d_perp_relative_change.abs(), check.steps_ratio
-    other = check[check.same_class == 0]
+def check_of(table):
+    """Lines on the passages that were run with fast settings and with conservative ones."""
     yield "## Fast settings against conservative ones\n"
-    yield (
-        f"{len(check)} passages: the same class in {len(check) - len(other)}; D_perp differs by "
-        f"{change.max():.2%} at most (median {change.median():.2%}); {steps.median():.1f} times fewer steps "
-        "in the median."
-    )
-    for row in other.to_dict("records"):
-        place = f"d = {row['row_shift_um']:g} um, Ca = {row['capillary_number']:g}"
-        labels = f"{row['class']} with the settings of the study, {row['conservative_class']} with the others"
-        yield f"- {place}: {labels}"
-    yield ""
+    for name, check in table.groupby("settings", sort=False):
+        change, steps = check.d_perp_relative_change.abs(), check.steps_ratio
+        other = check[check.same_class == 0]
+        yield (
+            f"`{name}`, {len(check)} passages: the same class in {len(check) - len(other)}; D_perp differs "
+            f"by {change.max():.2%} at most (median {change.median():.2%}); {steps.median():.1f} times fewer "
+            "steps in the median."
+        )
+        for row in other.to_dict("records"):
+            place = f"d = {row['row_shift_um']:g} um, Ca = {row['capillary_number']:g}"
+            classes = f"{row['class']} with the fast settings, {row['conservative_class']} with the others"
+            yield f"- {place}: {classes}"
+        yield ""
 
 
 def measured_weight(runs):

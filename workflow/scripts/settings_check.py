@@ -1,11 +1,11 @@
-"""Do the fast settings of the study change a result? Class and D_perp of the same passages with them and with
-conservative ones (smaller force, a membrane update in every step, a farther start, a stricter stop)."""
+"""Do fast settings change a result? Class and D_perp of the same passages with them and with conservative
+ones (smaller force, a membrane update in every step, a farther start, a stricter stop)."""
 
 from study.arguments import table_arguments
 from study.runs import load_runs
 from study.tables import write_table
 
-POINT = ["row_shift_um", "capillary_number"]
+POINT = ["settings", "row_shift_um", "capillary_number"]
 MEASURED = ["class", "d_perp_um", "centre_um", "steps", "run"]
 COLUMNS = [*POINT, *MEASURED, *(f"conservative_{name}" for name in MEASURED)]
 COLUMNS += ["same_class", "d_perp_relative_change", "steps_ratio"]
@@ -31,14 +31,12 @@ def compared(fast, conservative):
 
 def main():
     arguments = table_arguments(__doc__)
-    runs = load_runs(arguments.plan, arguments.runs, "settings-check")
     points = {}
-    for run in runs:
-        points.setdefault(tuple(run.labels[name] for name in POINT), {})[run.labels["settings"]] = measured(
-            run
-        )
+    for run in load_runs(arguments.plan, arguments.runs, "settings-check"):
+        point = tuple(run.labels[name] for name in POINT)
+        points.setdefault(point, {})[run.labels["side"]] = measured(run)
     rows = [
-        dict(zip(POINT, point, strict=True)) | compared(found["study"], found["conservative"])
+        dict(zip(POINT, point, strict=True)) | compared(found["fast"], found["conservative"])
         for point, found in points.items()
     ]
     write_table(rows, COLUMNS, arguments.output, POINT, STYLES)

@@ -121,13 +121,14 @@ def accuracy(tier):
 
 
 def settings_check(tier):
-    """The same passages with the settings of the study and with conservative ones."""
+    """The same passages with fast settings and with conservative ones."""
     part = tier["accuracy"]["settings_check"]
-    for settings in ("study", "conservative"):
-        for point in part["points"]:
+    for name, how in part["settings"].items():
+        sides = {"fast": {}, "conservative": how["conservative"]}
+        for (side, overlay), point in product(sides.items(), part["points"]):
             shift, capillary = point["row_shift_um"], point["capillary_number"]
-            labels = {"settings": settings, "row_shift_um": shift, "capillary_number": capillary}
-            yield "settings-check", labels, merged(part["case"], part[settings], _at(shift, capillary))
+            labels = {"settings": name, "side": side, "row_shift_um": shift, "capillary_number": capillary}
+            yield "settings-check", labels, merged(how["case"], overlay, _at(shift, capillary))
 
 
 def boundary_brackets(tier):

@@ -59,6 +59,10 @@ SETTINGS = {
 }
 
 
+#: Pixels across: a full screen; the PDF has the rest.
+WIDEST_PNG = 2100
+
+
 def new_figure(width, height, **options):
     """A figure of this print size in inches, in the project's style."""
     plt.rcParams.update(SETTINGS)
@@ -73,7 +77,7 @@ def save(figure, pdf_path, note=""):
     path.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(path, metadata={"CreationDate": None, "Producer": None, "Creator": None})
     pixels = BytesIO()
-    figure.savefig(pixels, format="png", dpi=300)
+    figure.savefig(pixels, format="png", dpi=min(300, WIDEST_PNG / figure.get_figwidth()))
     path.with_suffix(".png").write_bytes(png_with_palette(Image.open(pixels)))
     plt.close(figure)
 
