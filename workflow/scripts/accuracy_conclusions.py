@@ -118,20 +118,33 @@ def check_of(table):
 
 
 def measured_weight(runs):
-    """Weight of a membrane update and nanoseconds of a node update, from the run times in single precision.
+    """Weight of a membrane update and nanoseconds of a node update, in words, from the run times in single
+    precision.
 
-    seconds = a (node updates + weight * membrane updates), least squares of the relative deviation. None
-    without enough runs, or where the times are too uneven to give positive numbers.
+    seconds = a (node updates + weight * membrane updates), least squares of the relative deviation, over the
+    largest set of runs with one lattice, one kernel and one update interval: a fine lattice is slower per
+    node and has fewer membrane nodes for them, which the weight would take for its own. None without enough
+    runs, or where the times are too uneven to give positive numbers.
     """
-    samples = []
+    samples = {}
     for run in runs:
-        summary, seconds = run.summary, run.wall_s()
+        summary, seconds, how = run.summary, run.wall_s(), run.case["coupling"]
         if summary["status"] in GOOD and seconds and run.case["fluid"]["precision"] == "single":
-            samples.append((summary["node_updates"] / seconds, summary["membrane_updates"] / seconds))
-    if len({round(membrane / node, 4) for node, membrane in samples if node}) < 3:
+            key = run.case["fluid"]["lattice_spacing_um"], how["kernel"], how["steps_per_update"]
+            rates = (summary["node_updates"] / seconds, summary["membrane_updates"] / seconds)
+            samples.setdefault(key, []).append(rates)
+    if not samples:
         return None
-    (a, b), *_ = np.linalg.lstsq(np.array(samples), np.ones(len(samples)), rcond=None)
-    return (b / a, a * 1e9) if min(a, b) > 0 else None
+    (dx, kernel, steps), rates = max(samples.items(), key=lambda item: len(item[1]))
+    if len({round(membrane / node, 4) for node, membrane in rates if node}) < 3:
+        return None
+    (a, b), *_ = np.linalg.lstsq(np.array(rates), np.ones(len(rates)), rcond=None)
+    if min(a, b) <= 0:
+        return None
+    return (
+        f"The run times of {len(rates)} passages with dx = {dx:.3g} um, {kernel} and an update in {steps} "
+        f"step{'s' * (steps > 1)} give a weight of {b / a:.0f} and {a * 1e9:.1f} ns per node update."
+    )
 
 
 def main():
@@ -148,9 +161,7 @@ def main():
         "beside each.\n"
     )
     found = measured_weight(load_runs(arguments.plan, arguments.runs, "accuracy-passages"))
-    if found:
-        text = f"a weight of {found[0]:.0f} and {found[1]:.1f} ns per node update"
-        lines.append(f"The run times of the passages give {text}.\n")
+    lines += [f"{found}\n"] if found else []
     judged = judged_points(table)
     places = {point: "" if point == ALL else f", {point}" for point in judged.point}
     sound = usable(judged)
