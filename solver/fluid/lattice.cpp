@@ -240,13 +240,19 @@ void Lattice<Real>::apply(const LinkTable& table) {
     const Real* __restrict__ from = p + run.source;
     for (std::uint32_t k = 0; k < run.length; ++k) to[k] = from[k];
   }
-  for (const Copy& copy : table.copies) p[copy.destination] = p[copy.source];
+  const std::size_t row = layout_.row;
+  for (const Copy& copy : table.copies) {
+    Real* to = p + copy.destination;
+    const Real* from = p + copy.source;
+    for (std::uint32_t layer = 0; layer < copy.layers; ++layer, to += row, from += row) *to = *from;
+  }
   for (const Combination& link : table.combinations) {
     const Real a = static_cast<Real>(link.weight[0]), b = static_cast<Real>(link.weight[1]),
                c = static_cast<Real>(link.weight[2]);
-    for (std::uint32_t layer = 0, shift = 0; layer < link.layers; ++layer, shift += layout_.row)
-      p[link.destination + shift] =
-          a * p[link.source[0] + shift] + b * p[link.source[1] + shift] + c * p[link.source[2] + shift];
+    Real* to = p + link.destination;
+    const Real *from_a = p + link.source[0], *from_b = p + link.source[1], *from_c = p + link.source[2];
+    for (std::size_t layer = 0, at = 0; layer < link.layers; ++layer, at += row)
+      to[at] = a * from_a[at] + b * from_b[at] + c * from_c[at];
   }
   for (const Addition& link : table.additions) p[link.destination] += static_cast<Real>(link.constant);
 }
@@ -289,37 +295,51 @@ FlowStatistics Lattice<Real>::statistics() const {
   FlowStatistics s;
   s.min_density_deviation = 1e300;
   s.max_density_deviation = -1e300;
-  for (const Segment& segment : segments_) {
-    const std::uint32_t start = layout_.node(segment.x, segment.y, segment.z);
-    const Real* const f0 = populations_.data() + layout_.population(0, segment.x, segment.y, segment.z);
-    for (int k = 0; k < segment.length; ++k) {
-      const std::uint32_t here = start + static_cast<std::uint32_t>(k);
-      double deviation = 0, jx = 0, jy = 0, jz = 0;
-      for (int i = 0; i < directions; ++i) {
-        const double f = static_cast<double>(
-            f0[static_cast<std::size_t>(i) * layout_.plane + static_cast<std::size_t>(k)]);
-        const auto v = d3q19::c[static_cast<std::size_t>(i)];
-        deviation += f;
-        jx += v.x * f;
-        jy += v.y * f;
-        jz += v.z * f;
+  // By blocks of nodes, whose moments come in vectors; every sum runs over the nodes in their order.
+  constexpr int block = 64;
+  std::array<double, block> deviation, inverse, speed2;
+  std::array<std::array<double, block>, 3> u;
+  const auto add_block = [&](const Segment& segment, int first, int length) {
+    const std::size_t n = static_cast<std::size_t>(length);
+    const std::uint32_t start = layout_.node(segment.x, segment.y + first, segment.z);
+    const Real* const f0 =
+        populations_.data() + layout_.population(0, segment.x, segment.y + first, segment.z);
+    std::fill_n(deviation.begin(), n, 0.0);
+    for (auto& component : u) std::fill_n(component.begin(), n, 0.0);
+    for (int i = 0; i < directions; ++i) {
+      const Real* const f = f0 + static_cast<std::size_t>(i) * layout_.plane;
+      const auto v = d3q19::c[static_cast<std::size_t>(i)];
+      for (std::size_t k = 0; k < n; ++k) {
+        const double value = static_cast<double>(f[k]);
+        deviation[k] += value;
+        u[0][k] += v.x * value;
+        u[1][k] += v.y * value;
+        u[2][k] += v.z * value;
       }
-      const double inverse = model_.equilibrium == EquilibriumModel::stokes ? 1.0 : 1.0 / (1.0 + deviation);
-      const std::array<double, 3> u{
-          (jx + 0.5 * (uniform_force_[0] + static_cast<double>(force[0][here]))) * inverse,
-          (jy + 0.5 * (uniform_force_[1] + static_cast<double>(force[1][here]))) * inverse,
-          (jz + 0.5 * (uniform_force_[2] + static_cast<double>(force[2][here]))) * inverse};
-      for (std::size_t d = 0; d < 3; ++d) s.velocity[d] += u[d];
-      s.mean_density_deviation += deviation;
-      s.min_density_deviation = std::min(s.min_density_deviation, deviation);
-      s.max_density_deviation = std::max(s.max_density_deviation, deviation);
-      const double speed2 = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
-      // NaN is taken and then kept: a diverged flow must show.
-      if (speed2 > s.max_speed || std::isnan(speed2)) s.max_speed = speed2;
     }
+    for (std::size_t k = 0; k < n; ++k)
+      inverse[k] = model_.equilibrium == EquilibriumModel::stokes ? 1.0 : 1.0 / (1.0 + deviation[k]);
+    for (std::size_t d = 0; d < 3; ++d) {
+      const Real* const local = force[d].data() + start;
+      for (std::size_t k = 0; k < n; ++k)
+        u[d][k] = (u[d][k] + 0.5 * (uniform_force_[d] + static_cast<double>(local[k]))) * inverse[k];
+    }
+    for (std::size_t k = 0; k < n; ++k) speed2[k] = u[0][k] * u[0][k] + u[1][k] * u[1][k] + u[2][k] * u[2][k];
+    for (std::size_t k = 0; k < n; ++k) {
+      for (std::size_t d = 0; d < 3; ++d) s.velocity[d] += u[d][k];
+      s.mean_density_deviation += deviation[k];
+      s.min_density_deviation = std::min(s.min_density_deviation, deviation[k]);
+      s.max_density_deviation = std::max(s.max_density_deviation, deviation[k]);
+      // NaN is taken and then kept: a diverged flow must show.
+      if (speed2[k] > s.max_speed || std::isnan(speed2[k])) s.max_speed = speed2[k];
+    }
+  };
+  for (const Segment& segment : segments_) {
+    for (int first = 0; first < segment.length; first += block)
+      add_block(segment, first, std::min(block, segment.length - first));
   }
   const double n = static_cast<double>(fluid_nodes_);
-  for (double& u : s.velocity) u /= n;
+  for (double& u_mean : s.velocity) u_mean /= n;
   s.mean_density_deviation /= n;
   s.max_speed = std::sqrt(s.max_speed);
   return s;

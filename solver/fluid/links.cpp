@@ -158,21 +158,20 @@ class LinkBuilder {
     std::vector<Addition> additions;
   };
 
-  /// Combinations, sorted by destination, with equal ones above one another joined.
-  std::vector<Combination> in_columns(const std::vector<Combination>& single) const {
+  /// Links, sorted by destination, with equal ones above one another joined; `continues(link, above, shift)`
+  /// tells whether `above` is the same link, `shift` places further.
+  template <class Link, class Function>
+  std::vector<Link> in_columns(const std::vector<Link>& single, Function&& continues) const {
     std::unordered_map<std::uint32_t, std::size_t> at;
     for (std::size_t n = 0; n < single.size(); ++n) at[single[n].destination] = n;
     std::vector<bool> joined(single.size(), false);
-    std::vector<Combination> columns;
+    std::vector<Link> columns;
     for (std::size_t n = 0; n < single.size(); ++n) {
       if (joined[n]) continue;
-      Combination column = single[n];
+      Link column = single[n];
       for (std::uint32_t shift = layout_.row;; ++column.layers, shift += layout_.row) {
         const auto above = at.find(column.destination + shift);
-        if (above == at.end()) break;
-        const Combination& next = single[above->second];
-        const auto above_source = [&](std::size_t k) { return next.source[k] == column.source[k] + shift; };
-        if (next.weight != column.weight || !above_source(0) || !above_source(1) || !above_source(2)) break;
+        if (above == at.end() || !continues(column, single[above->second], shift)) break;
         joined[above->second] = true;
       }
       columns.push_back(column);
@@ -198,16 +197,23 @@ class LinkBuilder {
       }
     }
     LinkTable table;
+    std::vector<Copy> copies;
     for (const CopyRun& run : runs) {
       constexpr std::uint32_t worth_a_loop = 8;
       if (run.length >= worth_a_loop) {
         table.runs.push_back(run);
         continue;
       }
-      for (std::uint32_t k = 0; k < run.length; ++k)
-        table.copies.push_back({run.destination + k, run.source + k});
+      for (std::uint32_t k = 0; k < run.length; ++k) copies.push_back({run.destination + k, run.source + k});
     }
-    table.combinations = in_columns(found.combinations);
+    table.copies = in_columns(copies, [](const Copy& link, const Copy& above, std::uint32_t shift) {
+      return above.source == link.source + shift;
+    });
+    table.combinations = in_columns(
+        found.combinations, [](const Combination& link, const Combination& above, std::uint32_t shift) {
+          return above.weight == link.weight && above.source[0] == link.source[0] + shift &&
+                 above.source[1] == link.source[1] + shift && above.source[2] == link.source[2] + shift;
+        });
     table.additions = std::move(found.additions);
     return table;
   }

@@ -73,13 +73,15 @@ struct CopyRun {
   std::uint32_t destination, source, length;
 };
 
-/// destination = source: copies that found no neighbours to run with.
+/// destination = source, in each of the layers above one another: copies that found no neighbours to run
+/// with. Places of the next layer are one row further.
 struct Copy {
   std::uint32_t destination, source;
+  std::uint32_t layers = 1;
 };
 
 /// destination = sum of weight * source, in each of the layers above one another: a pillar cuts the links of
-/// all layers alike. Places of the next layer are one row further.
+/// all layers alike.
 struct Combination {
   std::uint32_t destination;
   std::array<std::uint32_t, 3> source;
