@@ -15,12 +15,15 @@ namespace {
 using test::BoxSize;
 using test::unit_cell;
 
-/// The tables of all planes in one, each combination with one layer only.
+/// The tables of all planes in one, each copy and combination with one layer only.
 LinkTable joined(const std::vector<LinkTable>& planes, const LatticeLayout& layout) {
   LinkTable all;
   for (const LinkTable& table : planes) {
     all.runs.insert(all.runs.end(), table.runs.begin(), table.runs.end());
-    all.copies.insert(all.copies.end(), table.copies.begin(), table.copies.end());
+    for (const Copy& c : table.copies) {
+      for (std::uint32_t shift = 0; shift < c.layers * layout.row; shift += layout.row)
+        all.copies.push_back({c.destination + shift, c.source + shift, 1});
+    }
     for (const Combination& c : table.combinations) {
       for (std::uint32_t shift = 0; shift < c.layers * layout.row; shift += layout.row)
         all.combinations.push_back({c.destination + shift,
