@@ -1,6 +1,7 @@
 """Do fast settings change a result? Class and D_perp of the same passages with them and with conservative
 ones (smaller force, a membrane update in every step, a farther start, a stricter stop)."""
 
+from study.accuracy import GOOD
 from study.arguments import table_arguments
 from study.runs import load_runs
 from study.tables import write_table
@@ -15,16 +16,17 @@ STYLES["d_perp_relative_change"] = ".5f"
 
 
 def measured(run):
+    """What is compared of a run; lengths only of one that did not fail."""
     summary = run.summary
-    found = {name: summary.get(name) for name in ("d_perp_um", "centre_um", "steps")}
-    return found | {"class": summary["status"], "run": run.id}
+    lengths = {name: summary.get(name) for name in ("d_perp_um", "centre_um") if summary["status"] in GOOD}
+    return lengths | {"class": summary["status"], "steps": summary["steps"], "run": run.id}
 
 
 def compared(fast, conservative):
     """One row: both runs of a point, and what the fast settings change."""
     row = fast | {f"conservative_{name}": value for name, value in conservative.items()}
     row["same_class"] = fast["class"] == conservative["class"]
-    if None not in (fast["d_perp_um"], conservative["d_perp_um"]):
+    if None not in (fast.get("d_perp_um"), conservative.get("d_perp_um")):
         row["d_perp_relative_change"] = fast["d_perp_um"] / conservative["d_perp_um"] - 1
     return row | {"steps_ratio": conservative["steps"] / fast["steps"]}
 
