@@ -1,7 +1,6 @@
 """Do fast settings change a result? Class and D_perp of the same passages with them and with conservative
 ones (smaller force, a membrane update in every step, a farther start, a stricter stop)."""
 
-from study.accuracy import GOOD
 from study.arguments import table_arguments
 from study.runs import load_runs
 from study.tables import write_table
@@ -18,7 +17,8 @@ STYLES["d_perp_relative_change"] = ".5f"
 def measured(run):
     """What is compared of a run; lengths only of one that did not fail."""
     summary = run.summary
-    lengths = {name: summary.get(name) for name in ("d_perp_um", "centre_um") if summary["status"] in GOOD}
+    names = ["d_perp_um", "centre_um"] if summary["status"] != "diverged" else []
+    lengths = {name: summary.get(name) for name in names}
     return lengths | {"class": summary["status"], "steps": summary["steps"], "run": run.id}
 
 
