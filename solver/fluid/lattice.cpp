@@ -25,6 +25,7 @@ Lattice<Real>::Lattice(const UnitCell& cell, const FluidModel& model)
       relaxation_rates(model.collision == CollisionModel::bgk, static_cast<Real>(model.relaxation_time),
                        static_cast<Real>(model.magic_parameter));
   populations_.assign(layout_.populations_size(), Real(0));
+  out_of_cache_ = populations_.size() * sizeof(Real) > smallest_to_fetch;
   for (auto& component : force) component.assign(nodes, Real(0));
   for (auto& component : velocity) component.assign(nodes, Real(0));
   relaxation_time.assign(nodes, static_cast<Real>(model.relaxation_time));
@@ -48,7 +49,7 @@ Lattice<Real>::Lattice(const UnitCell& cell, const FluidModel& model)
 
 template <class Real>
 template <bool Stokes, bool Local>
-void Lattice<Real>::collide_run(const PlacesOfNode& places, const Segment& run) {
+void Lattice<Real>::collide_run(const PlacesOfNode& places, const Segment& run, std::ptrdiff_t ahead) {
   using Vector = stdx::native_simd<Real>;
   constexpr int width = static_cast<int>(Vector::size());
   const std::uint32_t start = layout_.node(run.x, run.y, run.z);  // in the fields
@@ -56,10 +57,16 @@ void Lattice<Real>::collide_run(const PlacesOfNode& places, const Segment& run) 
   const bool bgk = model_.collision == CollisionModel::bgk;
   const Real magic = static_cast<Real>(model_.magic_parameter);
   const Rates<Vector> uniform{Vector(uniform_rates_.even), Vector(uniform_rates_.odd)};
+  constexpr int for_reading = 0, into_second_cache = 2;
 
   const auto advance = [&](int k, auto load, auto store) __attribute__((always_inline)) {
     Real* const node = base + k;
     Vector f[directions];
+    if (ahead != 0) {
+#pragma GCC unroll 19
+      for (std::size_t i = 0; i < directions; ++i)
+        __builtin_prefetch(node + ahead + i * layout_.plane, for_reading, into_second_cache);
+    }
 #pragma GCC unroll 19
     for (std::size_t i = 0; i < directions; ++i) load(f[i], node + places[i]);
     Vector fx = static_cast<Real>(uniform_force_[0]), fy = static_cast<Real>(uniform_force_[1]),
@@ -112,7 +119,11 @@ void Lattice<Real>::collide_run(const PlacesOfNode& places, const Segment& run) 
 
 template <class Real>
 template <bool Stokes>
-void Lattice<Real>::collide_plane(Phase phase, int x, const ActiveRange& range) {
+void Lattice<Real>::collide_plane(Phase phase, int x, const ActiveRange& range, int fetched_plane) {
+  const std::ptrdiff_t ahead =
+      out_of_cache_ && fetched_plane > x && fetched_plane < cell_.nx
+          ? static_cast<std::ptrdiff_t>(fetched_plane - x) * directions * layout_.plane
+          : 0;
   constexpr int width = static_cast<int>(stdx::native_simd<Real>::size());
   const Row plane = planes_[static_cast<std::size_t>(x)];
   for (std::uint32_t s = plane.first; s < plane.last; ++s) {
@@ -120,7 +131,7 @@ void Lattice<Real>::collide_plane(Phase phase, int x, const ActiveRange& range) 
     const PlacesOfNode& places =
         phase == Phase::local ? places_.local : places_.streaming[static_cast<std::size_t>(segment.z)];
     if (range.length == 0) {
-      collide_run<Stokes, false>(places, segment);
+      collide_run<Stokes, false>(places, segment, ahead);
       continue;
     }
     // Cut the segment where the active range begins and ends; the range may wrap around once.
@@ -133,11 +144,11 @@ void Lattice<Real>::collide_plane(Phase phase, int x, const ActiveRange& range) 
       // Whole vectors: the nodes that this adds have no force, and the relaxation time of the outside.
       from = y + (from - y) / width * width;
       to = std::min(end, from + (to - from + width - 1) / width * width);
-      if (from > y) collide_run<Stokes, false>(places, {x, y, segment.z, from - y});
-      collide_run<Stokes, true>(places, {x, from, segment.z, to - from});
+      if (from > y) collide_run<Stokes, false>(places, {x, y, segment.z, from - y}, ahead);
+      collide_run<Stokes, true>(places, {x, from, segment.z, to - from}, ahead);
       y = to;
     }
-    if (y < end) collide_run<Stokes, false>(places, {x, y, segment.z, end - y});
+    if (y < end) collide_run<Stokes, false>(places, {x, y, segment.z, end - y}, ahead);
   }
 }
 
@@ -177,7 +188,7 @@ void Lattice<Real>::local_step(const std::vector<ActiveRange>& active) {
     const ActiveRange range = range_of(active, x);
     const bool now = range.length > 0;
     local_step_done_[static_cast<std::size_t>(x)] = now ? 1 : 0;
-    if (now) collide_plane<Stokes>(Phase::local, x, range);
+    if (now) collide_plane<Stokes>(Phase::local, x, range, x + 1);
   }
 }
 
@@ -185,7 +196,7 @@ template <class Real>
 template <bool Stokes>
 void Lattice<Real>::finish_local_step(int x) {
   auto& done = local_step_done_[static_cast<std::size_t>(x)];
-  if (done == 0) collide_plane<Stokes>(Phase::local, x, {});
+  if (done == 0) collide_plane<Stokes>(Phase::local, x, {}, no_plane);
   done = 1;
 }
 
@@ -198,7 +209,8 @@ void Lattice<Real>::sweep(int begin, int end, const std::vector<ActiveRange>& ac
       finish_local_step<Stokes>(x + 2);
       apply(links_.before[static_cast<std::size_t>(x + 1)]);
     }
-    collide_plane<Stokes>(Phase::streaming, x, range_of(active, x));
+    // The next plane but two is fetched meanwhile: its local step comes next, and would wait for the memory.
+    collide_plane<Stokes>(Phase::streaming, x, range_of(active, x), x + 3);
     if (x >= begin + 2) apply(links_.after[static_cast<std::size_t>(x - 1)]);
   }
 }

@@ -96,11 +96,16 @@ class Lattice {
   };
 
   enum class Phase { local, streaming };
+  /// Bytes of populations from which on planes are fetched ahead: fewer stay in the last-level cache.
+  static constexpr std::size_t smallest_to_fetch = 8u << 20;
+  static constexpr int no_plane = -1;
 
+  /// `ahead`: distance of the populations that are fetched into the cache meanwhile; 0: none.
   template <bool Stokes, bool Local>
-  void collide_run(const PlacesOfNode& places, const Segment& run);
+  void collide_run(const PlacesOfNode& places, const Segment& run, std::ptrdiff_t ahead);
+  /// Fetches a plane that comes later, if there is one in the box and it is not in the cache anyway.
   template <bool Stokes>
-  void collide_plane(Phase phase, int x, const ActiveRange& range);
+  void collide_plane(Phase phase, int x, const ActiveRange& range, int fetched_plane);
   template <bool Stokes>
   void local_step(const std::vector<ActiveRange>& active);
   template <bool Stokes>
@@ -125,6 +130,7 @@ class Lattice {
   std::vector<int> blocks_;                    ///< first plane of every thread, and nx
   std::size_t fluid_nodes_ = 0;
   bool even_ = true;
+  bool out_of_cache_ = false;  ///< planes are fetched ahead
 };
 
 template <class Real>
