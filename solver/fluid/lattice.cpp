@@ -122,7 +122,7 @@ template <bool Stokes>
 void Lattice<Real>::collide_plane(Phase phase, int x, const ActiveRange& range, int fetched_plane) {
   const std::ptrdiff_t ahead =
       out_of_cache_ && fetched_plane > x && fetched_plane < cell_.nx
-          ? static_cast<std::ptrdiff_t>(fetched_plane - x) * directions * layout_.plane
+          ? layout_.population(0, fetched_plane, 0, 0) - layout_.population(0, x, 0, 0)
           : 0;
   constexpr int width = static_cast<int>(stdx::native_simd<Real>::size());
   const Row plane = planes_[static_cast<std::size_t>(x)];

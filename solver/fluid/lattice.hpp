@@ -98,7 +98,7 @@ class Lattice {
   enum class Phase { local, streaming };
   /// Bytes of populations from which on planes are fetched ahead: fewer stay in the last-level cache.
   static constexpr std::size_t smallest_to_fetch = 8u << 20;
-  static constexpr int no_plane = -1;
+  static constexpr int no_plane = -1;  ///< nothing is fetched
 
   /// `ahead`: distance of the populations that are fetched into the cache meanwhile; 0: none.
   template <bool Stokes, bool Local>

@@ -10,6 +10,7 @@ from collections import defaultdict
 import numpy as np
 
 from study.frontier import limit, on_frontier
+from study.passages import DECIDED
 
 #: What is judged in each study: {error kind: (name in the summary, relative)}.
 OBSERVABLES = {
@@ -27,7 +28,7 @@ OBSERVABLES = {
         "film, um": ("film_um", False),
     },
 }
-GOOD = {"converged", "displaced", "zigzag"}
+GOOD = {"converged", *DECIDED}
 COLUMNS = [
     "study",
     "method",

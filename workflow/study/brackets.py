@@ -9,9 +9,10 @@ runs. Nothing here runs or reads a file: points are dictionaries {value, class, 
 import copy
 import math
 
+from study.passages import DECIDED
+
 #: Where the value of an axis stands in a case.
 AXES = {"capillary_number": ("cell", "capillary_number"), "row_shift_um": ("geometry", "row_shift_um")}
-DECIDED = ("displaced", "zigzag")
 DIGITS = 4  # of a capillary number chosen by a bracket
 
 

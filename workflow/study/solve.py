@@ -6,9 +6,10 @@ import subprocess
 import time
 from pathlib import Path
 
+from study.passages import DECIDED
 from study.plan import read_json, run_id
 
-FINISHED = ("displaced", "zigzag", "undecided", "diverged")
+FINISHED = (*DECIDED, "undecided", "diverged")
 
 
 def status_in(folder):
