@@ -56,14 +56,27 @@ void CoupledCell<Real>::load_fluid() {
   } else {
     boundary_.locate(positions_, near_solid_);
   }
-  boundary_.spread(forces_);
+  spread_forces();
+}
+
+template <class Real>
+void CoupledCell<Real>::spread_forces() {
+  if (model_.kink_mobility == 0.0) {
+    boundary_.spread(forces_);
+    return;
+  }
+  const Eigen::MatrixX3d normal = normal_part(forces_, normals_);
+  boundary_.spread(forces_ - normal);
+  boundary_.interpolate_force(load_);
+  boundary_.spread(normal);
 }
 
 template <class Real>
 void CoupledCell<Real>::move() {
   boundary_.interpolate(velocities_);
-  if (model_.kink_mobility > 0.0) correct_kink();
   boundary_.clear_force();
+  if (model_.kink_mobility > 0.0)
+    velocities_ += model_.kink_mobility * (load_ - normal_part(load_, normals_));
   if (model_.mobility > 0.0) {
     tangential_relaxation(membrane_, forces_, gradient_, model_.mobility, velocities_);
   }
@@ -77,12 +90,6 @@ void CoupledCell<Real>::move() {
   failed_ = !(fastest < 1.0);
   max_speed_ = fastest;
   if (!failed_) positions_ += static_cast<double>(model_.steps_per_update) * velocities_;
-}
-
-template <class Real>
-void CoupledCell<Real>::correct_kink() {
-  boundary_.interpolate_force(load_);
-  velocities_ += model_.kink_mobility * (load_ - normal_part(load_, normals_));
 }
 
 template <class Real>

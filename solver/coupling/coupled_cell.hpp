@@ -26,7 +26,10 @@ struct CouplingModel {
   double mobility =
       0.0;  ///< wanted for the sub-grid regularisation, velocity / force (see stable_mobility); 0: off
   /// Tangential velocity that is given back for the spread force density at a node, dx^2 / eta (see
-  /// kernel_correction); 0: off.
+  /// kernel_correction); 0: off. Only tangential loads make the velocity kink, so only these are counted:
+  /// with the spreading S and the projections P onto the membrane v = mobility P S^T S P f, which does the
+  /// work mobility |S P f|^2 >= 0. The whole load of a fold narrower than the kernel would count the pressure
+  /// of one side as a shear of the other, feed energy in, and collapse its faces.
   double kink_mobility = 0.0;
   int steps_per_update = 1;  ///< fluid steps for one update of the membrane
   /// Distance (lattice spacings) by which the points of spreading and interpolation lie inside the membrane.
@@ -81,9 +84,10 @@ class CoupledCell {
  private:
   /// Forces of the membrane at its place, spread to the fluid.
   void load_fluid();
+  /// Spreads the forces: all at once, or the tangential part first where the kink is corrected.
+  void spread_forces();
   /// Moves the membrane with the fluid over the steps since the last update.
   void move();
-  void correct_kink();
   void add_repulsion();
   void project_volume();
 
@@ -98,7 +102,7 @@ class CoupledCell {
   Eigen::MatrixX3d gradient_;  ///< of volume_
   Eigen::MatrixX3d normals_;   ///< outward, of length one
   Eigen::MatrixX3d points_;    ///< of the coupling, where they are not the nodes
-  Eigen::MatrixX3d load_;      ///< spread force density at the nodes
+  Eigen::MatrixX3d load_;      ///< spread tangential force density at the nodes
   std::vector<std::uint8_t> near_solid_;
   double volume_ = 0.0;  ///< of the cell at positions_, before they move
   double film_ = 0.0, max_speed_ = 0.0;

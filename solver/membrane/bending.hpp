@@ -1,5 +1,5 @@
 #pragma once
-/// Bending of two triangles hinged at an edge, E = sqrt(3) kB (theta - theta0)^2 per edge.
+/// Bending of two triangles hinged at an edge, E = c kB (theta - theta0)^2 per edge; c by bending_law.hpp.
 /// theta is the angle between the outward normals, positive where the surface is convex. With the faces
 /// (1,2,3) and (2,1,4), their area normals n and m and e = x2 - x1,
 ///   sin theta ~ e.(n x m),  cos theta ~ |e| n.m  (common factor |e| |n| |m|),
@@ -54,15 +54,16 @@ inline double bending_angle(Vec3 e, Vec3 n, Vec3 m, Angle theta0) {
   return branch_free_atan2(s * theta0.cosine - c * theta0.sine, c * theta0.cosine + s * theta0.sine);
 }
 
-inline double bending_energy(double modulus, Vec3 e, Vec3 n, Vec3 m, Angle theta0) {
+/// Energy of a hinge; stiffness = c kB.
+inline double hinge_energy(double stiffness, Vec3 e, Vec3 n, Vec3 m, Angle theta0) {
   const double angle = bending_angle(e, n, m, theta0);
-  return std::numbers::sqrt3 * modulus * angle * angle;
+  return stiffness * angle * angle;
 }
 
-/// Hinge moment -(dE/dtheta) per edge length: 2 sqrt(3) kB (theta - theta0) / |e|, with the sign of the
-/// force along the outward normal on the opposite corners.
-inline double hinge_moment(double modulus, Vec3 e, Vec3 n, Vec3 m, Angle theta0) {
-  return 2 * std::numbers::sqrt3 * modulus * bending_angle(e, n, m, theta0) / std::sqrt(dot(e, e));
+/// Hinge moment -(dE/dtheta) per edge length: 2 c kB (theta - theta0) / |e|, with the sign of the force along
+/// the outward normal on the opposite corners; stiffness = c kB.
+inline double hinge_moment(double stiffness, Vec3 e, Vec3 n, Vec3 m, Angle theta0) {
+  return 2 * stiffness * bending_angle(e, n, m, theta0) / std::sqrt(dot(e, e));
 }
 
 /// Forces on the corners 2 and 3 of one face from the hinges at its three edges (the first corner takes

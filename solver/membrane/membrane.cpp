@@ -9,6 +9,7 @@
 
 #include "membrane/bending.hpp"
 #include "membrane/constraints.hpp"
+#include "membrane/mean_curvature.hpp"
 #include "membrane/skalak.hpp"
 
 namespace dld {
@@ -30,14 +31,14 @@ struct FaceCorners {
 }  // namespace
 
 Membrane::Membrane(TriangleMesh reference, const MembraneModuli& moduli, StressFreeAngle angle)
-    : reference_{std::move(reference), moduli, {}, 0, 0, {}, {}} {
+    : reference_{std::move(reference), moduli, {}, 0, 0, {}, {}, {}} {
   build_reference(angle);
   build_neighbours();
   whole_.emplace(reference_);
 }
 
 void Membrane::build_reference(StressFreeAngle angle) {
-  auto& [mesh, moduli, edges, area, volume, metric, angles] = reference_;
+  auto& [mesh, moduli, edges, area, volume, metric, angles, curvature] = reference_;
   edges = edges_of(mesh);
   metric.setOnes(face_count(), 4);
   angles.resize(static_cast<Eigen::Index>(edges.size()), 2);
@@ -61,6 +62,48 @@ void Membrane::build_reference(StressFreeAngle angle) {
     angles.row(row) << (angle == StressFreeAngle::flat ? 0 : s / length),
         (angle == StressFreeAngle::flat ? 1 : c / length);
   }
+  curvature = node_curvatures(mesh.vertices);
+  if (angle == StressFreeAngle::flat) curvature.col(0) = 0;
+}
+
+/// Twice the mean curvature, and area, of every node (nv x 2).
+Eigen::ArrayX2d Membrane::node_curvatures(const Eigen::MatrixX3d& x) const {
+  const auto& faces = reference_.mesh.faces;
+  Eigen::ArrayX2d sums = Eigen::ArrayX2d::Zero(vertex_count(), 2);  // of |e| theta, and of area
+  const ConstColumns3 p(x);
+  for (const Edge& edge : edges()) {
+    const Vec3 e = p[edge.v2] - p[edge.v1];
+    const double angle = bending_angle(e, FaceCorners(x, faces, edge.face).normal,
+                                       FaceCorners(x, faces, edge.opposite_face).normal, {0, 1});
+    for (int v : {edge.v1, edge.v2}) sums(v, 0) += std::sqrt(dot(e, e)) * angle;
+  }
+  for (Eigen::Index f = 0; f < face_count(); ++f) {
+    for (int v : faces.row(f)) sums(v, 1) += face_area(FaceCorners(x, faces, f).normal) / 3;
+  }
+  for (auto node : sums.rowwise()) node(0) = twice_mean_curvature(node(0), node(1));
+  return sums;
+}
+
+double Membrane::bending_energy(const Eigen::MatrixX3d& x) const {
+  const BendingLaw law = reference_.moduli.bending_law;
+  const double modulus = reference_.moduli.bending;
+  double energy = 0;
+  if (law == BendingLaw::mean_curvature) {
+    const Eigen::ArrayX2d now = node_curvatures(x), &rest = reference_.curvature;
+    for (Eigen::Index v = 0; v < vertex_count(); ++v)
+      energy += mean_curvature_energy(modulus, now(v, 0), rest(v, 0), rest(v, 1));
+    return energy;
+  }
+  const ConstColumns3 p(x);
+  for (std::size_t i = 0; i < edges().size(); ++i) {
+    const Edge& edge = edges()[i];
+    const auto row = static_cast<Eigen::Index>(i);
+    energy += hinge_energy(entry(law).hinge_prefactor * modulus, p[edge.v2] - p[edge.v1],
+                           FaceCorners(x, reference_.mesh.faces, edge.face).normal,
+                           FaceCorners(x, reference_.mesh.faces, edge.opposite_face).normal,
+                           {reference_.angle(row, 0), reference_.angle(row, 1)});
+  }
+  return energy;
 }
 
 void Membrane::build_neighbours() {
@@ -97,15 +140,7 @@ MembraneEnergy Membrane::energy_terms(const Eigen::MatrixX3d& x) const {
     energy.skalak += skalak_energy(ref, skalak, face.a, face.b);
     area += face_area(face.normal);
   }
-  const ConstColumns3 p(x);
-  for (std::size_t i = 0; i < edges().size(); ++i) {
-    const Edge& edge = edges()[i];
-    const auto row = static_cast<Eigen::Index>(i);
-    energy.bending += bending_energy(reference_.moduli.bending, p[edge.v2] - p[edge.v1],
-                                     FaceCorners(x, reference_.mesh.faces, edge.face).normal,
-                                     FaceCorners(x, reference_.mesh.faces, edge.opposite_face).normal,
-                                     {reference_.angle(row, 0), reference_.angle(row, 1)});
-  }
+  energy.bending = bending_energy(x);
   energy.area = penalty_energy(reference_.moduli.global_area, area, reference_.area);
   energy.volume = penalty_energy(reference_.moduli.volume, volume(x), reference_.volume);
   return energy;

@@ -65,6 +65,8 @@ class Membrane {
 
  private:
   void build_reference(StressFreeAngle angle);
+  Eigen::ArrayX2d node_curvatures(const Eigen::MatrixX3d& x) const;
+  double bending_energy(const Eigen::MatrixX3d& x) const;
   void build_neighbours();
 
   MembraneReference reference_;

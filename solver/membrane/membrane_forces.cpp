@@ -6,6 +6,7 @@
 
 #include "membrane/bending.hpp"
 #include "membrane/constraints.hpp"
+#include "membrane/mean_curvature.hpp"
 #include "membrane/skalak.hpp"
 
 namespace dld {
@@ -24,8 +25,10 @@ void for_chunks(Eigen::Index count, Work&& work) {
 AreaAndVolume MembraneForces::forces(const Eigen::MatrixX3d& x, Eigen::MatrixX3d& f) {
   load(x);
   const AreaAndVolume now = update_faces();
-  update_edges();
+  const bool curvatures = moduli_.bending_law == BendingLaw::mean_curvature;
+  curvatures ? update_curvatures() : update_edges();
   update_corner_forces(now);
+  if (curvatures) add_curvature_forces();
   sum_at_vertices(corner_force_, vertex_corners_, 1.0, f);
   return now;
 }
@@ -94,7 +97,7 @@ void MembraneForces::update_edges() {
   const Eigen::Index ne = edges_.rows();
   const int *v1 = edges_.data(), *v2 = v1 + ne, *face = v2 + ne, *opposite = face + ne;
   const double *sine0 = angle_.data(), *cosine0 = sine0 + ne;
-  const double modulus = moduli_.bending;
+  const double stiffness = entry(moduli_.bending_law).hinge_prefactor * moduli_.bending;
   double* hinge = hinge_.data();
   RowChunk sides, normals1, normals2;
   const ConstRows e(sides), n1(normals1), n2(normals2);
@@ -104,9 +107,55 @@ void MembraneForces::update_edges() {
     fetch_rows(normal_, opposite + begin, n, normals2);
 #pragma omp simd
     for (int i = 0; i < n; ++i) {
-      hinge[begin + i] = hinge_moment(modulus, e[i], n1[i], n2[i], {sine0[begin + i], cosine0[begin + i]});
+      hinge[begin + i] = hinge_moment(stiffness, e[i], n1[i], n2[i], {sine0[begin + i], cosine0[begin + i]});
     }
   });
+}
+
+/// Edges -> vertices -> edges: angles, mean curvatures and their stresses, moments and pulls.
+void MembraneForces::update_curvatures() {
+  const ConstRows x(position_), normal(normal_);
+  const Eigen::Index ne = edges_.rows(), nw = vertex_.size(), images = image_.size();
+  Eigen::ArrayXd& angle = hinge_;  // until the moments take its place
+  for (Eigen::Index i = 0; i < ne; ++i) {
+    const Vec3 e = x[edges_(i, 1)] - x[edges_(i, 0)];
+    angle(i) = bending_angle(e, normal[edges_(i, 2)], normal[edges_(i, 3)], {0, 1});
+    const double length = std::sqrt(dot(e, e));
+    edge_sum_(i) = length * angle(i);
+    pull_(i) = 0.5 * angle(i) / length;
+  }
+  for (Eigen::Index v = 0; v < nw; ++v) {
+    double sum = 0, area = 0;
+    for (int edge : vertex_edges_.col(v)) sum += edge_sum_(edge);
+    for (int face : vertex_faces_.col(v)) area += face_area(normal[face]) / 3;
+    const double m = twice_mean_curvature(sum, area);
+    const double q = curvature_stress(moduli_.bending, m, curvature_(v, 0), area, curvature_(v, 1));
+    stress_.row(v) << q, q * m;
+  }
+  stress_.bottomRows(images) = stress_.topRows(images);
+  for (Eigen::Index i = 0; i < ne; ++i) {
+    hinge_(i) = 0.5 * (stress_(edges_(i, 0), 0) + stress_(edges_(i, 1), 0));
+    pull_(i) *= hinge_(i);
+  }
+}
+
+/// What the mean curvature pulls within the surface, added to the forces on the corners.
+void MembraneForces::add_curvature_forces() {
+  const ConstRows normal(normal_);
+  const ConstColumns3 side_a(a_), side_b(b_);
+  const auto add = [this](Eigen::Index corner, Vec3 f) {
+    corner_force_.col(corner) += Eigen::Vector4d(f.x, f.y, f.z, 0);
+  };
+  for (Eigen::Index i = 0; i < acting_; ++i) {
+    const auto corner = faces_.row(i);
+    const auto edge = face_edges_.row(i);
+    const double tension = -(stress_(corner(0), 1) + stress_(corner(1), 1) + stress_(corner(2), 1)) / 3;
+    const auto [f2, f3] = curvature_forces(side_a[i], side_b[i], normal[i], pull_(edge(0)), pull_(edge(1)),
+                                           pull_(edge(2)), tension);
+    add(3 * i, -1.0 * (f2 + f3));
+    add(3 * i + 1, f2);
+    add(3 * i + 2, f3);
+  }
 }
 
 void MembraneForces::update_corner_forces(AreaAndVolume now) {

@@ -35,12 +35,15 @@ class MembraneForces {
   void choose_vertices(const TriangleMesh& mesh);
   void choose_faces(const MembraneReference& reference);
   void choose_edges(const MembraneReference& reference);
+  void choose_curvatures(const MembraneReference& reference);
   void build_incidence();
 
   void load(const Eigen::MatrixX3d& x);
   AreaAndVolume update_faces();
   void update_edges();
+  void update_curvatures();
   void update_corner_forces(AreaAndVolume now);
+  void add_curvature_forces();
   void sum_at_vertices(const Rows& rows, const Eigen::MatrixXi& places, double scale,
                        Eigen::MatrixX3d& out) const;
 
@@ -68,6 +71,13 @@ class MembraneForces {
 
   Eigen::MatrixXi vertex_corners_;  ///< valence x nw: corners 3 face + k at a vertex; unused: the zero row
   Eigen::MatrixXi vertex_faces_;    ///< valence x nw: faces at a vertex; unused places: the zero row
+
+  // Of the bending law mean_curvature alone; empty for the others.
+  Eigen::ArrayX2d curvature_;     ///< nw x 2: as in MembraneReference
+  Eigen::MatrixXi vertex_edges_;  ///< valence x nw: edges at a vertex; unused places: the last, zero one
+  Eigen::ArrayXd edge_sum_;       ///< ne + 1: |e| theta; last one zero
+  Eigen::ArrayXd pull_;           ///< ne: tension of an edge over its length, half of it (for either face)
+  Eigen::ArrayX2d stress_;        ///< nv x 2: q of a vertex, and q times twice its mean curvature
 
   Rows position_;           ///< of vertices, relative to one of them
   Rows normal_;             ///< nf + 1: a x b, twice the area; last row zero

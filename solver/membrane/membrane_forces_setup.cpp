@@ -22,6 +22,7 @@ MembraneForces::MembraneForces(const MembraneReference& reference, MirrorSymmetr
   choose_faces(reference);
   choose_edges(reference);
   build_incidence();
+  if (moduli_.bending_law == BendingLaw::mean_curvature) choose_curvatures(reference);
   const auto nf = faces_.rows();
   position_.setZero(4, renumber_.size());
   normal_.setZero(4, nf + 1);
@@ -112,6 +113,21 @@ void MembraneForces::choose_edges(const MembraneReference& reference) {
     for (const auto& [face, vertex] : {std::pair{edge.face, edge.v3}, {edge.opposite_face, edge.v4}}) {
       if (place_of(face) < acting_)
         face_edges_(place_of(face), corner_of(reference.mesh.faces, face, vertex)) = static_cast<int>(i);
+    }
+  }
+}
+
+void MembraneForces::choose_curvatures(const MembraneReference& reference) {
+  const int ne = static_cast<int>(edges_.rows()), worked_on = static_cast<int>(vertex_.size());
+  curvature_ = reference.curvature(vertex_, Eigen::all);
+  edge_sum_.setZero(ne + 1);
+  pull_.setZero(ne);
+  stress_.setZero(renumber_.size(), 2);
+  vertex_edges_.setConstant(vertex_faces_.rows(), worked_on, ne);
+  Eigen::VectorXi used = Eigen::VectorXi::Zero(worked_on);
+  for (int i = 0; i < ne; ++i) {
+    for (int v : {edges_(i, 0), edges_(i, 1)}) {
+      if (v < worked_on) vertex_edges_(used(v)++, v) = i;
     }
   }
 }

@@ -44,6 +44,7 @@ struct CellParameters {
   double capillary_number = 0.5;              ///< Ca = p' l r / kS, l = sqrt(G H)
   double skalak_denominator = 12.0;           ///< k in W = (kS/k)(I1^2 + 2 I1 - 2 I2) + (kalpha/12) I2^2
   double bending_ratio = 2.4810e-3;           ///< kB / (kS r^2)
+  std::string bending_law = "hinge_half";     ///< what energy kB stands for, see membrane/bending_law.hpp
   double local_area_modulus = 28.876;         ///< kalpha / (p' l r)
   double global_area_modulus = 57.752;        ///< kA / (p' l r)
   std::string volume_control = "projection";  ///< "projection" | "penalty"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/pillar.hpp"
+#include "membrane/bending_law.hpp"
 #include "membrane/mesh.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/text.hpp"
@@ -94,6 +95,10 @@ std::vector<Declaration> cell() {
       {"cell", "skalak_denominator", at<&Case::cell, &L::skalak_denominator>, above(0, 1000), "1",
        "k in W = (kS/k)(I1^2 + 2 I1 - 2 I2) + (kalpha/12) I2^2"},
       {"cell", "bending_ratio", at<&Case::cell, &L::bending_ratio>, between(0, 1000), "1", "kB / (kS r^2)"},
+      {"cell", "bending_law", at<&Case::cell, &L::bending_law>, one_of(bending_law_names()), "",
+       "what energy kB stands for: a sum over hinges with c = sqrt(3), sqrt(3)/2 or 1/sqrt(3), or the nodal "
+       "mean "
+       "curvature; a fold feels 3, 1.5, 1 or 1 kB"},
       {"cell", "local_area_modulus", at<&Case::cell, &L::local_area_modulus>, between(0, 1e9), "p' l r",
        "kalpha"},
       {"cell", "global_area_modulus", at<&Case::cell, &L::global_area_modulus>, between(0, 1e9), "p' l r",

@@ -4,18 +4,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "membrane/bending_law.hpp"
 #include "parameters/units.hpp"
 
 namespace dld {
 namespace {
 
 // Explicit coupling. Derived: nodal stiffness times sum phi^2, a node's own share in its velocity, must stay
-// below 2 to 4; the lower bound is taken.
+// below 2 to 4; the lower bound is taken. That of bending is 55 kB / edge^2 for hinges with c = sqrt(3).
 constexpr double stiffness_limit = 2.0;
 // Fitted, phi4, tau 0.8, edge 1, a cell at rest for 400 steps: it bears an area modulus K of 8 / n and
-// 55 kB / edge^2 of 92 / n^1.4 (n = 1, 2, 4 steps per update), the latter 4.9 times sum phi^2. Half of that
-// is the limit, since a deformed membrane is stiffer; passages at tau 1.9 bear K = 3.8 and not 4.5. For the
-// narrow kernels it rests on sum phi^2 alone.
+// of bending (55 kB / edge^2) of 92 / n^1.4 (n = 1, 2, 4 steps per update), the latter 4.9 times sum phi^2.
+// Half of that is the limit, since a deformed membrane is stiffer; passages at tau 1.9 bear K = 3.8 and
+// not 4.5. For the narrow kernels it rests on sum phi^2 alone.
 constexpr double area_modulus_limit = 3.8, bending_exponent = 1.4;
 // A passage with one step per update bears less bending stiffness the larger the viscosity and the more
 // lattice spacings there are in the radius r (lu). Fitted: 0.81 / sqrt(nu) at r = 9.75 (nu = 0.1, 0.2, 0.33,
@@ -108,12 +109,13 @@ void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Mar
   const double steps = c.coupling.steps_per_update;
   const double weight = kernel_self_weight(c.coupling.kernel);
   const double edge = mean_edge(l.cell_radius, c.cell.mesh_frequency);
-  const double bending = 55 * l.bending_modulus / (edge * edge) * weight;
+  const double stiffest = entry(bending_law_by_name(c.cell.bending_law)).largest_stiffness;
+  const double bending = stiffest * l.bending_modulus / (edge * edge) * weight;
   margins.push_back(below("in-plane stiffness 2 sqrt3 (K/2 + G) sum phi^2",
                           2 * std::numbers::sqrt3 * (area / 2 + shear) * weight, stiffness_limit, "lu",
                           softer + " or /cell/local_area_modulus, or use a wider kernel"));
   margins.push_back(below(
-      "bending stiffness 55 kB / edge^2 sum phi^2, per update", bending * std::pow(steps, bending_exponent),
+      "bending stiffness times sum phi^2, per update", bending * std::pow(steps, bending_exponent),
       bending_limit(l.viscosity, l.cell_radius), "lu",
       softer + ", /coupling/steps_per_update, /fluid/relaxation_time or /cell/mesh_frequency, or use phi4"));
   margins.push_back(below("area modulus, per update", area * steps, area_modulus_limit, "lu",

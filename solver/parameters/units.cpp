@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupling/kernel.hpp"
+#include "membrane/bending_law.hpp"
 
 namespace dld {
 namespace {
@@ -67,6 +68,12 @@ SiScales to_si(const Case& c, double eta_Pa_s, double shear_modulus_N_per_m) {
       si.pressure_gradient_Pa_per_m / (l.force_density * si.resistance_Pa_s_per_m2_per_lu);
   si.time_step_s = dx / si.velocity_m_per_s_per_lu;
   return si;
+}
+
+double fold_modulus_N_m(const Case& c, double shear_modulus_N_per_m) {
+  const double radius_m = 1e-6 * c.cell.radius_um;
+  const double modulus = c.cell.bending_ratio * shear_modulus_N_per_m * radius_m * radius_m;
+  return entry(bending_law_by_name(c.cell.bending_law)).fold_ratio * modulus;
 }
 
 }  // namespace dld

@@ -43,6 +43,13 @@ struct SiScales {
   double resistance_Pa_s_per_m2_per_lu = 0;  ///< multiply force_density / u (lu) by this: eta / (nu dx^2)
 };
 
-SiScales to_si(const Case& c, double eta_Pa_s = 1e-3, double shear_modulus_N_per_m = 5.3e-6);
+/// Water-like plasma, and a healthy red cell (Suresh et al., Acta Biomaterialia 1, 2005).
+constexpr double plasma_viscosity_Pa_s = 1e-3, healthy_shear_modulus_N_per_m = 5.3e-6;
+
+SiScales to_si(const Case& c, double eta_Pa_s = plasma_viscosity_Pa_s,
+               double shear_modulus_N_per_m = healthy_shear_modulus_N_per_m);
+
+/// Modulus that a membrane of the case's bending law feels when it is folded about one axis, N m.
+double fold_modulus_N_m(const Case& c, double shear_modulus_N_per_m = healthy_shear_modulus_N_per_m);
 
 }  // namespace dld

@@ -97,7 +97,6 @@ class PassageRun {
         sample();
         if (failure_) return Status::diverged;
         if (decided_ && extent_done_) return decided_status();
-        if (interrupted() != 0) return Status::interrupted;
       }
       if (steps_ % longest_interval == 0) {
         watch_fluid();
@@ -106,6 +105,8 @@ class PassageRun {
       if (lateral_.blocked() && steps_ % LateralFlow::interval == 0) {
         lateral_.update(lattice_, lattice_.statistics().velocity[1]);
       }
+      if (row_finished_) save_checkpoint();
+      if (steps_ % sample_interval_ == 0 && interrupted() != 0) return Status::interrupted;
     }
   }
 
@@ -213,14 +214,16 @@ class PassageRun {
     ++row_;
     extent_ = PassageExtent(static_cast<double>(row_) * l_.nx);
     crossing_added_ = false;
-    save_checkpoint();
+    row_finished_ = true;
   }
 
   /// Case and build: another build may keep its populations in another order.
   std::string identity() const { return echo(case_).dump() + build_info().git_commit; }
 
   /// Between two pillar lines nothing is half measured: the state is the fluid, the cell and the tables.
+  /// Saved when all of a step is done, so that the run that resumes misses none of it.
   void save_checkpoint() {
+    row_finished_ = false;
     cell_->refresh_viscosity();
     Checkpoint checkpoint(identity());
     const auto& populations = lattice_.populations();
@@ -288,6 +291,8 @@ class PassageRun {
     s["dx_um"] = um;
     s["capillary_number"] = case_.cell.capillary_number;
     s["skalak_denominator"] = case_.cell.skalak_denominator;
+    s["bending_law"] = case_.cell.bending_law;
+    s["fold_modulus_N_m"] = fold_modulus_N_m(case_);
     s["lateral_flow"] = case_.fluid.lateral_flow;
     s["class"] = to_string(status);
     const int defining = map_.defining_crossing();
@@ -357,6 +362,7 @@ class PassageRun {
   double mean_velocity_ = 0;
   long steps_ = 0, flow_steps_ = 0, last_snapshot_ = -1000000;
   int row_ = 0, sample_interval_ = 2;
+  bool row_finished_ = false;  ///< the state is to be saved at the end of this step
   bool crossing_added_ = false, decided_ = false, extent_done_ = false;
 };
 

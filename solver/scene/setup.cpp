@@ -48,6 +48,7 @@ MembraneModuli make_moduli(const Case& c) {
   m.global_area = l.global_area_modulus;
   m.volume = c.cell.volume_control == "penalty" ? l.volume_modulus : 0.0;
   m.bending = l.bending_modulus;
+  m.bending_law = bending_law_by_name(c.cell.bending_law);
   return m;
 }
 

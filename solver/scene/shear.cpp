@@ -40,9 +40,8 @@ Status run(const Case& c, RunContext& context) {
   const UnitCell box = shear_box(n);
   Lattice<Real> lattice(box, fluid);
   lattice.set_threads(context.threads);
-  lattice.initialise([&](int, int, int z) {
-    return std::array<double, 3>{rate * (z + box.origin_z), 0.0, 0.0};
-  });
+  lattice.initialise(
+      [&](int, int, int z) { return std::array<double, 3>{rate * (z + box.origin_z), 0.0, 0.0}; });
 
   MembraneModuli moduli;
   moduli.shear = l.viscosity * rate * a / c.shear.capillary_number;
@@ -50,6 +49,7 @@ Status run(const Case& c, RunContext& context) {
   moduli.local_area = c.cell.local_area_modulus * moduli.shear;
   moduli.global_area = c.cell.global_area_modulus * moduli.shear;
   moduli.bending = c.cell.bending_ratio * moduli.shear * a * a;
+  moduli.bending_law = bending_law_by_name(c.cell.bending_law);
   if (c.cell.volume_control == "penalty") moduli.volume = c.cell.volume_modulus * moduli.shear / a;
   Membrane membrane(make_cell(c.cell.shape, c.cell.mesh_frequency, a), moduli);
   const PillarArray no_pillars(make_pillar("none", {}), n, n, 0.0);

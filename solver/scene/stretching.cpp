@@ -30,6 +30,7 @@ MembraneModuli stretching_moduli(const Case& c, double shear, double radius, boo
   m.global_area = c.cell.global_area_modulus * shear;
   m.volume = with_volume ? c.cell.volume_modulus * shear / radius : 0.0;
   m.bending = c.cell.bending_ratio * shear * radius * radius;
+  m.bending_law = bending_law_by_name(c.cell.bending_law);
   return m;
 }
 
@@ -166,6 +167,7 @@ void write_results(const Case& c, const TriangleMesh& reference_um, const std::v
   context.out.write("/stretching/iterations", iterations, "1", "iterations of the minimiser, or time steps");
   nlohmann::ordered_json& s = context.summary;
   s["skalak_denominator"] = c.cell.skalak_denominator;
+  s["bending_law"] = c.cell.bending_law;
   s["mesh_frequency"] = c.cell.mesh_frequency;
   s["method"] = c.stretching.method;
   s["dx_um"] = c.fluid.lattice_spacing_um;
