@@ -23,23 +23,22 @@ struct BendingLawEntry {
   double hinge_prefactor;  ///< c; 0: no sum over hinges
   double fold_ratio;       ///< modulus that a sheet bent about one axis feels, over kB
   double sphere_ratio;     ///< energy of a sphere bent from a flat sheet, over 8 pi kB
-  /// Largest eigenvalue of the stiffness of a flat sheet of equilateral triangles of unit edge, over kB: what
-  /// explicit motion has to bear.
-  double largest_stiffness;
+  /// Largest eigenvalue of the stiffness of the resting red cell over that with hinge_sphere, at equal kB:
+  /// what explicit motion has to bear.
+  double relative_stiffness;
 };
 
 /// The one list of laws.
 constexpr std::array<BendingLawEntry, 4> bending_laws{{
-    // Calibrated on the sphere: sqrt(3) sum theta^2 = 8 pi. An open re-implementation of the paper's membrane
-    // has
-    // it (HemeLB, issue 684, 2017).
-    {BendingLaw::hinge_sphere, "hinge_sphere", std::numbers::sqrt3, 3.0, 1.0, 55.0},
+    // Calibrated on the sphere: sqrt(3) sum theta^2 = 8 pi. An open code of this model has it (HemeLB, issue
+    // 684, 2017).
+    {BendingLaw::hinge_sphere, "hinge_sphere", std::numbers::sqrt3, 3.0, 1.0, 1.0},
     // A sphere with the Gaussian modulus -kB (Gompper and Kroll, J. Phys. I France 6, 1996).
-    {BendingLaw::hinge_half, "hinge_half", std::numbers::sqrt3 / 2, 1.5, 0.5, 27.5},
+    {BendingLaw::hinge_half, "hinge_half", std::numbers::sqrt3 / 2, 1.5, 0.5, 0.5},
     // Calibrated on a sheet (Seung and Nelson 1988): kB is the Helfrich modulus that a fold feels.
-    {BendingLaw::hinge_sheet, "hinge_sheet", std::numbers::inv_sqrt3, 1.0, 1.0 / 3, 55.0 / 3},
+    {BendingLaw::hinge_sheet, "hinge_sheet", std::numbers::inv_sqrt3, 1.0, 1.0 / 3, 1.0 / 3},
     // (kB/2) sum over nodes of (2H - 2H0)^2 A0, A H = (1/4) sum over the node's edges of |e| theta.
-    {BendingLaw::mean_curvature, "mean_curvature", 0.0, 1.0, 1.0, 31.2},
+    {BendingLaw::mean_curvature, "mean_curvature", 0.0, 1.0, 1.0, 0.45},
 }};
 
 constexpr const BendingLawEntry& entry(BendingLaw law) {

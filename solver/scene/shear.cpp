@@ -40,8 +40,9 @@ Status run(const Case& c, RunContext& context) {
   const UnitCell box = shear_box(n);
   Lattice<Real> lattice(box, fluid);
   lattice.set_threads(context.threads);
-  lattice.initialise(
-      [&](int, int, int z) { return std::array<double, 3>{rate * (z + box.origin_z), 0.0, 0.0}; });
+  lattice.initialise([&](int, int, int z) {
+    return std::array<double, 3>{rate * (z + box.origin_z), 0.0, 0.0};
+  });
 
   MembraneModuli moduli;
   moduli.shear = l.viscosity * rate * a / c.shear.capillary_number;

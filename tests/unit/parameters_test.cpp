@@ -234,36 +234,6 @@ TEST(Margins, KnowTheStiffnessOfTheCorrectedKernel) {
   EXPECT_LT(tightest(stability_margins(c))->share, 1) << tightest(stability_margins(c))->name;
 }
 
-bool warned_of(const Case& c, const std::string& name) {
-  return std::ranges::any_of(stability_margins(c),
-                             [&](const Margin& m) { return !m.ok && m.name.starts_with(name); });
-}
-
-/// Seen in maps of stability: at 0.8 um faces collapse, at 0.4 um they do not.
-TEST(Margins, WarnOfACoarseLatticeWithTheCorrectedKernel) {
-  Case c;
-  c.coupling.kernel = "phi4_corrected";
-  c.coupling.steps_per_update = 1;
-  EXPECT_FALSE(warned_of(c, "cell radius"));
-  c.fluid.lattice_spacing_um = 0.8;
-  EXPECT_TRUE(warned_of(c, "cell radius"));
-  c.coupling.kernel = "phi4";
-  EXPECT_FALSE(warned_of(c, "cell radius"));
-}
-
-/// Seen in passages with the preset `corrected`: folds collapse at Ca 1.5 and do not at 1.35. No refusal.
-TEST(Margins, WarnOfSoftCellsWithTheCorrectedKernel) {
-  Case c;
-  c.coupling.steps_per_update = 1;
-  c.cell.capillary_number = 1.5;
-  EXPECT_FALSE(warned_of(c, "Ca with the corrected kernel"));
-  c.coupling.kernel = "phi4_corrected";
-  EXPECT_TRUE(warned_of(c, "Ca with the corrected kernel"));
-  EXPECT_LT(tightest(stability_margins(c))->share, 1);
-  c.cell.capillary_number = 1.35;
-  EXPECT_FALSE(warned_of(c, "Ca with the corrected kernel"));
-}
-
 TEST(Margins, AreThoseOfTheScene) {
   Case c;
   c.scene = "stretching";
