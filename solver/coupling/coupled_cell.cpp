@@ -89,7 +89,18 @@ void CoupledCell<Real>::move() {
                     : HUGE_VAL;
   failed_ = !(fastest < 1.0);
   max_speed_ = fastest;
-  if (!failed_) positions_ += static_cast<double>(model_.steps_per_update) * velocities_;
+  if (failed_) return;
+  positions_ += static_cast<double>(model_.steps_per_update) * velocities_;
+  hold_off_walls();
+}
+
+template <class Real>
+void CoupledCell<Real>::hold_off_walls() {
+  if (model_.wall_height <= 0.0) return;
+  const double highest = model_.wall_height - closest_to_wall;
+  for (double& z : positions_.col(2)) {
+    if (std::abs(z) > highest) z = std::copysign(highest, z);
+  }
 }
 
 template <class Real>

@@ -89,6 +89,11 @@ class CoupledCell {
   /// Moves the membrane with the fluid over the steps since the last update.
   void move();
   void add_repulsion();
+  /// A film between cell and bottom or top wall that the lattice does not resolve lets nodes step through the
+  /// wall. They are kept this far away from it; a cell that never comes so near is left alone to the last
+  /// bit.
+  static constexpr double closest_to_wall = 0.05;
+  void hold_off_walls();
   void project_volume();
 
   Lattice<Real>& lattice_;

@@ -44,9 +44,9 @@ constexpr double least_repulsion = 0.012, wall_contact_capillary = 1.5;
 constexpr double inertia_limit = 2.5;
 // Largest modulus (lu) that explicit coupling was seen to bear.
 constexpr double volume_modulus_limit = 1.2;
-// Fitted with BGK, where tau - 1/2 is also the relaxation of the odd moments: cells at 0.1 and less were
-// driven to a wall or the fluid diverged at every force density, at 0.3 they ran.
-constexpr double bgk_relaxation_limit = 0.15;
+// Fitted with BGK, where tau - 1/2 is also the relaxation of the odd moments: cells at 0.2 and less were
+// driven to a wall or the fluid diverged at every force density, at 0.3 at large ones, at 0.4 they ran.
+constexpr double bgk_relaxation_limit = 0.25;
 // Speed (lu) at which compressibility, of order (u/cs)^2 = 3 %, is no longer small, and the Mach number of
 // 0.5 at which the monitors stop a run. The estimate below agrees with the largest speed to about 10 per
 // cent.

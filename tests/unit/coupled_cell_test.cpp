@@ -190,6 +190,18 @@ TEST(CoupledCell, CorrectedKernelFeedsNoEnergyIntoFolds) {
   }
 }
 
+/// The film between cell and wall is thinner than the lattice resolves: nodes stay on their side of the wall.
+TEST(CoupledCell, NodesAreHeldOffTheWalls) {
+  CellRun run(full_box, unit_cell(full_box), {start_x, start_y, 0});
+  const Eigen::MatrixX3d& x = run.coupled->positions();
+  const double lift = 5.99 - x.col(2).maxCoeff();
+  run.coupled->restore(x.rowwise() + Eigen::RowVector3d(0, 0, lift), 0);
+  run.advance(1);
+  EXPECT_DOUBLE_EQ(run.coupled->positions().col(2).maxCoeff(), 5.95);
+  EXPECT_NEAR(run.coupled->positions().col(2).minCoeff(),
+              lift + run.membrane.reference().vertices.col(2).minCoeff(), 0.01);
+}
+
 TEST(CoupledCell, HalfHeightIsFullHeightForAFlatCell) {
   CellRun half(half_box, unit_cell(half_box), {start_x, start_y, 0}),
       full(full_box, unit_cell(full_box), {start_x, start_y, 0});
