@@ -17,7 +17,7 @@ min_version("9.0")
 os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
 sys.path.insert(0, os.path.join(workflow.basedir, "workflow"))
 
-from study.plan import ids, load_plan, validated, write_plan
+from study.plan import ids, load_plan, study_brackets, validated, write_plan
 from study.points import STUDY_GROUPS
 from study.validation import hint
 
@@ -31,7 +31,8 @@ PLAN = load_plan(STUDY, TIER)
 validated(CLAIMS, "claims")  # before any run, although they are judged after all
 RESULTS = "results" if TIER == "paper" else f"results/{TIER}"
 PLAN_FILE = write_plan(PLAN, f"{RESULTS}/plan.json")
-RUNS, TABLES, FIGURES, LOGS = (f"{RESULTS}/{name}" for name in ("runs", "tables", "figures", "logs"))
+RUNS = "results/runs"  # shared by all tiers: a run's name is its case
+TABLES, FIGURES, LOGS = (f"{RESULTS}/{name}" for name in ("tables", "figures", "logs"))
 SCRIPTS = "workflow/scripts"
 PACKAGE = sorted(glob("workflow/study/*.py"))  # every analysis depends on it
 
@@ -43,8 +44,10 @@ wildcard_constraints:
 include: "workflow/rules/build.smk"
 include: "workflow/rules/runs.smk"
 include: "workflow/rules/flow.smk"
+include: "workflow/rules/membrane.smk"
 include: "workflow/rules/stretching.smk"
 include: "workflow/rules/boundary.smk"
+include: "workflow/rules/uncertainty.smk"
 include: "workflow/rules/passages.smk"
 include: "workflow/rules/sensitivity.smk"
 include: "workflow/rules/stability.smk"
@@ -62,6 +65,7 @@ rule all:
     default_target: True
     input:
         FLOW_TABLES,
+        MEMBRANE_TABLES,
         STRETCHING_TABLES,
         BOUNDARY_TABLES,
         PASSAGE_TABLES,

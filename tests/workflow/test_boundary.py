@@ -1,10 +1,10 @@
-"""The law of the boundary and its limit are found again from synthetic brackets."""
+"""The law of the boundary is found again from synthetic brackets."""
 
 import math
 
 import numpy as np
 import pytest
-from study.boundary import extrapolated_interval, extrapolated_rows, fit_boundary, law, undisputed
+from study.boundary import fit_boundary, law, undisputed
 
 TRUE = (2.9, 5.4, 1.72)
 SHIFTS = np.array([2.0, 3.2, 3.6, 4.4, 5.2, 6.0, 6.8, 7.2, 8.0, 8.8])
@@ -65,47 +65,6 @@ def test_four_wide_brackets_leave_an_uncertainty_that_holds_the_law():
 
 def test_too_few_brackets_give_no_fit():
     assert fit_boundary([4.4, 6.0, 6.8], [0.7, 0.3, 0.2], [0.8, 0.4, 0.3]) is None
-
-
-def test_the_limit_of_two_lattices_is_linear_and_covers_all_combinations():
-    low, high, order = extrapolated_interval([0.4, 0.2], [[0.10, 0.14], [0.05, 0.07]])
-    assert (low, high) == (pytest.approx(2 * 0.05 - 0.14), pytest.approx(2 * 0.07 - 0.10))
-    assert order is None
-
-
-@pytest.mark.parametrize("true_order", [1.0, 2.0])
-def test_three_lattices_show_their_order(true_order):
-    h = np.array([0.4, 0.2, 0.4 / 3])
-    middle = -1.0 + 0.8 * h**true_order
-    low, high, order = extrapolated_interval(h, np.stack([middle, middle], 1))
-    assert order == pytest.approx(true_order, rel=1e-6)
-    assert low == pytest.approx(-1.0) and high == pytest.approx(-1.0)
-
-
-def test_rows_of_the_limit_say_when_there_is_none():
-    def row(series, dx, shift, low, high, status):
-        found = {"series": series, "dx_um": dx, "row_shift_um": shift, "ca_displaced": low, "ca_zigzag": high}
-        return found | {"status": status, "lateral_flow": "free", "runs": "a b"} | NONE
-
-    rows = [row("coarse", 0.4, 4.4, 0.80, 0.82, "bracketed"), row("fine", 0.2, 4.4, 0.70, 0.72, "bracketed")]
-    rows += [
-        row("coarse", 0.4, 2.0, 2.4, None, "all-displaced"),
-        row("fine", 0.2, 2.0, 2.4, None, "all-displaced"),
-    ]
-    rows += [
-        row("coarse", 0.4, 3.6, 2.4, None, "all-displaced"),
-        row("fine", 0.2, 3.6, 2.0, 2.1, "bracketed"),
-    ]
-    rows += [row("coarse", 0.4, 8.0, None, 0.1, "all-zigzag")]
-    found = {one["row_shift_um"]: one for one in extrapolated_rows("limit", ["coarse", "fine"], rows)}
-    assert set(found) == {2.0, 3.6, 4.4}
-    assert found[4.4]["status"] == "bracketed"
-    assert found[4.4]["ca_displaced"] == pytest.approx(0.70**2 / 0.82)
-    assert found[2.0]["status"] == "all-displaced"
-    assert found[3.6]["status"] == "open" and "ca_displaced" not in found[3.6]
-
-
-NONE = {"undecided_inside": 0, "contradictions": 0}
 
 
 def test_points_that_contradict_the_cut_leave_the_boundary_open_between_them():

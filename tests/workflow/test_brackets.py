@@ -91,7 +91,7 @@ def test_the_programs_share_runs_and_run_nothing_for_a_finished_bracket(root, st
     program = root / "tests/workflow/fake_solver.py"
     dld.write_text(f'#!/bin/sh\necho run >> {tmp_path}/count\nexec {sys.executable} {program} "$@"\n')
     dld.chmod(0o755)
-    name = "lattice-0.8/d6.4"
+    name = "default/d6.4"
     definition = plan["brackets"][name]
     runs = tmp_path / "runs"
     for value, run in definition["known"]:

@@ -36,13 +36,14 @@ def crossings(rows):
 
 
 def boundary():
-    """A closed bracket with the middle at Ca = 0.4, an open one and the limit."""
+    """A closed bracket with the middle at Ca = 0.4, an open one, and one of another series."""
     names = ["dx_um", "row_shift_um", "ca_displaced", "ca_zigzag", "status", "series"]
     values = [
-        (LATTICE, 4.0, 0.2, 0.8, "bracketed", "lattice-0.4"),
-        (LATTICE, 6.0, 0.1, None, "open", "lattice-0.4"),
+        (LATTICE, 4.0, 0.2, 0.8, "bracketed", "default"),
+        (LATTICE, 6.0, 0.1, None, "open", "default"),
+        (LATTICE, 4.0, 1, 2, "bracketed", "hinge_sphere"),
     ]
-    return pd.DataFrame([*values, ("extrapolated", 4.0, 1, 2, "bracketed", "extrapolated")], columns=names)
+    return pd.DataFrame(values, columns=names)
 
 
 @pytest.fixture

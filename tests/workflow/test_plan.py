@@ -14,6 +14,7 @@ GROUPS |= {
     "accuracy-tweezer",
     "accuracy-passages",
     "settings-check",
+    "uncertainty",
 }
 CASE_SCHEMA = planning.read_json(planning.SCHEMAS / "case.schema.json")
 
@@ -96,21 +97,21 @@ def test_a_bracket_knows_the_runs_of_the_sweeps_on_its_axis(study):
         for run in plan["runs"]
         if run["labels"].get("sweep") == "grid" and run["case"]["geometry"]["row_shift_um"] == 4.4
     }
-    assert dict(plan["brackets"]["lattice-0.4/d4.4"]["known"]) == grid
+    assert dict(plan["brackets"]["default/d4.4"]["known"]) == grid
     mirror = plan["brackets"]["row-shift-0.4/ca0.5"]["known"]
     assert [shift for shift, _ in mirror] == study["tiers"]["paper"]["passages"]["grid"]["row_shifts_um"]
 
 
 def test_a_row_shift_may_have_a_range_of_its_own(study):
     changed = copy.deepcopy(study)
-    series = changed["tiers"]["paper"]["boundary"]["series"]["lattice-0.4"]
+    series = changed["tiers"]["paper"]["boundary"]["series"]["default"]
     series["ca_ranges"] = {"6.8": [0.3, 0.6]}
     brackets = planning.make_plan(changed, "paper", CASE_SCHEMA)["brackets"]
-    ends = [capillary for capillary, _ in brackets["lattice-0.4/d6.8"]["known"]]
+    ends = [capillary for capillary, _ in brackets["default/d6.8"]["known"]]
     assert (ends[0], ends[-1]) == (0.3, 0.6)
-    assert [capillary for capillary, _ in brackets["lattice-0.4/d6"]["known"]][-1] == 2.4
+    assert [capillary for capillary, _ in brackets["default/d6"]["known"]][-1] == 2.4
     series["ca_ranges"] = {"6.9": [0.3, 0.6]}
-    with pytest.raises(ValueError, match=r"lattice-0.4: /ca_ranges/6.9: allowed are its row shifts, 2, 3.2"):
+    with pytest.raises(ValueError, match=r"default: /ca_ranges/6.9: allowed are its row shifts, 2, 3.2"):
         planning.make_plan(changed, "paper", CASE_SCHEMA)
 
 
@@ -118,13 +119,11 @@ def test_names_that_the_study_refers_to_exist(study):
     for name in study["tiers"]:
         tier = study["tiers"][name]
         series = set(tier["boundary"]["series"])
-        for members in tier["boundary"]["extrapolated"].values():
-            assert set(members) <= series
         boundary = tier["sensitivity"]["boundary"]
         assert boundary["reference"] in series
         assert set(boundary["choices"]) <= set(tier["sensitivity"]["choices"])
         plan = planning.make_plan(study, name, CASE_SCHEMA)
-        known = {bracket["series"] for bracket in plan["brackets"].values()}
+        known = {bracket["series"] for bracket in planning.study_brackets(plan).values()}
         for values in tier["sensitivity"]["choices"].values():
             assert {entry["series"] for entry in values.values() if "series" in entry} <= known
         variants = set(tier["streamlines"]["variants"])

@@ -1,5 +1,6 @@
 """The numbers of README.md: made from the results, never typed."""
 
+import shutil
 import subprocess
 
 import pandas as pd
@@ -27,12 +28,12 @@ def test_the_committed_numbers_are_those_of_the_committed_results(tmp_path):
 
     claim = load_claims(committed("params/claims.json", tmp_path))["phase-boundary"]
     text = committed("README.md", tmp_path).read_text(encoding="utf-8")
-    brackets = table("results/tables/phase_boundary.csv")
+    uncertainty = "results/tables/boundary_uncertainty.csv"
+    made = subprocess.run(["git", "cat-file", "-e", f"HEAD:{uncertainty}"], cwd=ROOT, capture_output=True)
     for block in (
         readme.times(table("results/tables/stage_times.csv")),
-        readme.boundary(brackets, claim),
-        readme.doubts(brackets),
-        readme.blocked(brackets, claim),
+        readme.boundary(table("results/tables/phase_boundary.csv"), claim),
+        readme.doubts(table(uncertainty) if made.returncode == 0 else None),
         readme.starts(table("results/tables/second_starts.csv")),
         readme.verdicts(table("results/claims.csv")),
     ):
@@ -59,71 +60,79 @@ def test_times_leave_out_what_is_made_on_request():
     assert lines[2:] == ["| passages | 0.4 | 4 | 60 | 2.0 |", "| **all** |  | 4 |  | **2** |"]
 
 
+BRACKET = ["row_shift_um", "ca_undisputed_displaced", "ca_undisputed_zigzag"]
+
+
 def test_the_boundary_shows_open_brackets_and_the_printed_law():
     claim = {"value": {"offset_um": 2.9, "amplitude_um": 5.4, "rate": 1.72}}
     rows = [
-        (2.0, 2.4, None, "free", "lattice-0.4"),
-        (6.8, 0.452, 0.461, "free", "lattice-0.4"),
-        (6.8, 0.3, 0.33, "free", "lattice-0.2"),
-        (6.8, 0.195, 0.24, "free", "extrapolated"),
-        (6.8, 0.38, 0.399, "free", "corrected-0.4"),
-        (6.8, 0.4, 0.5, "blocked", "blocked-lateral"),
-        (6.8, 0.4, 0.5, "free", "sensitivity/kernel/phi3"),
+        (2.0, 2.4, None, "default"),
+        (6.8, 0.2, 0.25, "default"),
+        (6.8, 0.21, 0.22, "corrected"),
+        (6.8, 0.452, 0.461, "hinge_sphere"),
+        (7.2, None, 0.1, "hinge_sheet"),
+        (6.8, 0.1, 0.12, "blocked"),
+        (6.8, 0.4, 0.5, "sensitivity/kernel/phi3"),
+        (4.4, 0.4, 0.5, "blocked-corrected"),
     ]
-    columns = ["row_shift_um", "ca_displaced", "ca_zigzag", "lateral_flow", "series"]
-    lines = readme.boundary(with_undisputed(pd.DataFrame(rows, columns=columns)), claim).splitlines()
+    lines = readme.boundary(pd.DataFrame(rows, columns=[*BRACKET, "series"]), claim).splitlines()
     assert lines[0] == (
-        "| d / um | Ca at 0.4 um | Ca at 0.2 um | Ca at 0.4 um, corrected | extrapolated | paper, Eq. (5) "
-        "| 0.4 um, corrected, over Eq. (5) |"
+        "| d / um | `default` | `corrected` | `hinge_sphere` | `hinge_sheet` | `blocked` "
+        "| paper, Eq. (5) | `default` over Eq. (5) |"
     )
-    assert lines[2] == "| 2.0 | above 2.4 |  |  |  |  |  |"
-    assert (
-        lines[3] == "| 6.8 | 0.452 - 0.461 | 0.3 - 0.33 | 0.38 - 0.399 | 0.195 - 0.24 | 0.19 | 2.01 - 2.11 |"
-    )
-
-
-def with_undisputed(table):
-    """The table with brackets that no point contradicts."""
-    return table.assign(ca_undisputed_displaced=table.ca_displaced, ca_undisputed_zigzag=table.ca_zigzag)
-
-
-COLUMNS = ["row_shift_um", "ca_displaced", "ca_zigzag", "undecided_inside", "contradictions", "series"]
-
-
-def test_doubts_show_the_row_shifts_where_something_was_changed():
-    rows = [
-        (5.2, 1.0, 1.1, 2, 0, "corrected-0.4"),
-        (6.8, 0.374, 0.378, 0, 0, "corrected-0.4"),
-        (6.8, 0.528, 0.545, 0, 0, "mesh-14"),
-        (6.0, None, 0.2, 0, 1, "mesh-14"),
-        (6.8, 0.2, 0.3, 0, 0, "lattice-0.4"),
-    ]
-    lines = readme.doubts(pd.DataFrame(rows, columns=COLUMNS)).splitlines()
-    assert lines[0] == "| changed alone | d = 6.8 um | d = 6.0 um |"
     assert lines[2:] == [
-        "| **`corrected`, 0.4 um** (`corrected-0.4`) | 0.374 - 0.378 |  |",
-        "| mesh refined alone, frequency 10 to 14 (`mesh-14`) | 0.528 - 0.545 | below 0.2 (1 against it) |",
+        "| 2.0 | above 2.4 |  |  |  |  |  |  |",
+        "| 6.8 | 0.2 - 0.25 | 0.21 - 0.22 | 0.452 - 0.461 |  | 0.1 - 0.12 | 0.19 | 1.06 - 1.32 |",
+        "| 7.2 |  |  |  | below 0.1 |  | 0.13 |  |",
     ]
 
 
-def test_brackets_without_lateral_flow_stand_beside_the_printed_law():
-    claim = {"value": {"offset_um": 2.9, "amplitude_um": 5.4, "rate": 1.72}}
+def test_doubts_show_what_was_changed_and_by_how_much():
+    changes = ["least_change_percent", "most_change_percent"]
     rows = [
-        (4.4, 0.833, 1.12, 2, 0, "blocked-corrected"),
-        (6.8, 0.2, 0.22, 0, 0, "blocked-lateral"),
-        (9.0, 0.2, 0.22, 0, 0, "blocked-lateral"),
-        (6.0, 0.15, 0.154, 0, 1, "blocked-corrected"),
-        (4.4, 0.833, 1.12, 0, 0, "corrected-0.4"),
+        (6.0, 0.5, None, "mesh", "frequency 14", "corrected", 12.3, None),
+        (6.8, 0.2, 0.25, "force", "half", "corrected", -5.4, 6.1),
+        (6.8, 0.3, 0.31, "mesh", "frequency 14", "corrected", 21.0, 30.0),
+        (6.8, 0.3, 0.31, "mesh", "frequency 28", "reference", None, None),
     ]
-    table = with_undisputed(pd.DataFrame(rows, columns=COLUMNS))
-    table.loc[3, "ca_undisputed_zigzag"] = 0.189
-    lines = readme.blocked(table, claim).splitlines()
+    table = pd.DataFrame(rows, columns=[*BRACKET, "cause", "setting", "reference", *changes])
+    lines = readme.doubts(table).splitlines()
+    assert lines[0] == "| changed alone | against | d = 6.8 um | d = 6.0 um |"
     assert lines[2:] == [
-        "| 4.4 | 0.833 - 1.12 (2 undecided inside) |  | 0.74 | 1.12 - 1.50 |",
-        "| 6.0 | 0.15 - 0.154 (1 against it) |  | 0.32 | 0.46 - 0.59 |",
-        "| 6.8 |  | 0.2 - 0.22 | 0.19 |  |",
-        "| 9.0 |  | 0.2 - 0.22 |  |  |",
+        "| force: half | `corrected` | 0.2 - 0.25 (-5 to +6 %) |  |",
+        "| mesh: frequency 14 | `corrected` | 0.3 - 0.31 (+21 to +30 %) | above 0.5 (above +12 %) |",
+        "| mesh: frequency 28 | `reference` | 0.3 - 0.31 |  |",
     ]
+
+
+def test_doubts_that_were_not_made_are_one_sentence():
+    assert "snakemake --cores 2 uncertainty" in readme.doubts(None)
+    assert len(readme.doubts(None).splitlines()) == 1
+
+
+def test_the_readme_has_a_place_for_every_block(results, call, root, tmp_path):
+    given = {"plan": results / "plan.json", "brackets": results / "brackets"}
+    names = {
+        "boundary": "phase_boundary",
+        "points": "points",
+        "row-shifts": "shifts",
+        "confirmation": "confirmed",
+    }
+    tables = {name: tmp_path / f"{table}.csv" for name, table in names.items()}
+    call("boundary_tables", **given, **tables)
+    call("stage_times", **given, runs=results / "runs", output=tmp_path / "stage_times.csv")
+    starts = "set,points,same_class,other_class,no_class\ngrid,2,2,0,0\n"
+    (tmp_path / "second_starts.csv").write_text(starts, encoding="utf-8")
+    (tmp_path / "claims.csv").write_text("verdict\nREPRODUCED\n", encoding="utf-8")
+    text = tmp_path / "README.md"
+    shutil.copy(root / "README.md", text)
+    verdicts = {"verdicts": tmp_path / "claims.csv", "claims": root / "params/claims.json"}
+    call("readme_numbers", readme=text, tables=tmp_path, **verdicts)
+    filled = text.read_text(encoding="utf-8")
+    assert readme.NO_DOUBTS in filled and "| grid | 2 | 2 | 0 | 0 |" in filled
+    call("boundary_uncertainty", **given, output=tmp_path / "boundary_uncertainty.csv")
+    call("readme_numbers", readme=text, tables=tmp_path, **verdicts)
+    assert readme.NO_DOUBTS not in text.read_text(encoding="utf-8")
 
 
 def test_second_starts_stand_by_set():

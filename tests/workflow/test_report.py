@@ -11,9 +11,10 @@ import pytest
 from PIL import Image
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-VERDICTS = """id,verdict,claim,where,paper_value,unit,measured,note,explanation
-reynolds,NOT REPRODUCED,a claim with <angle> & sign,Section 3.1,0.76,,0.461,,as we read it
-resistance,REPRODUCED,another claim,Section 3.1,8.8e8,Pa s/m^2,8.7e8,a note,
+VERDICTS = """id,verdict,grounds,claim,where,paper_value,unit,measured,note,explanation
+reynolds,NOT REPRODUCED,,a claim with <angle> & sign,Section 3.1,0.76,,0.461,,as we read it
+resistance,REPRODUCED,,another claim,Section 3.1,8.8e8,Pa s/m^2,8.7e8,a note,
+table-1,HOLDS WITH ANOTHER VALUE,differs by a bit,a third claim,Table 1,1.2,um,1.3,,as we read it
 """
 
 
@@ -72,6 +73,8 @@ def test_the_page_shows_every_passage_and_verdict(page, make):
     assert text.count('class="point ') - 4 == len(points)  # four more in the legend
     assert "a claim with &lt;angle&gt; &amp; sign" in text
     assert re.search(r'id="claim-reynolds".*?not-reproduced', text, re.DOTALL)
+    assert re.search(r'id="claim-table-1".*?holds-with-another-value.*?differs by a bit', text, re.DOTALL)
+    assert "<b>1</b> holds with another value" in text and "<b>0</b> print contradicts itself" in text
     assert "made up" in text  # the commit in the provenance of the made-up runs
     assert "boundary: made-up" in text
 

@@ -7,7 +7,9 @@ import sys
 
 import pandas as pd
 import pytest
+from study.grades import CONTRADICTS, GRADES, HOLDS, NOT_REPRODUCED, NOT_RUN, REPRODUCED
 from study.plan import read_json
+from study.wording import WORDS
 
 EXPERIMENT = "params/experiment/tweezer_experiment.csv"
 EXPECTED = {
@@ -123,17 +125,22 @@ def test_verdicts(tables, results, call, root):
     }
     tier = "fine" if "fine" in results.name else "smoke"
     call("claims_table", **given, tier=tier, csv=csv, markdown=markdown)
-    verdict = pd.read_csv(csv).set_index("id").verdict
-    assert set(verdict) <= {"REPRODUCED", "NOT REPRODUCED", "NOT DECIDED", "NOT RUN"}
-    assert len(markdown.read_text().splitlines()) == len(verdict) + 6
+    table = pd.read_csv(csv).set_index("id")
+    verdict = table.verdict
+    assert set(table.filter(like="verdict").to_numpy().ravel()) <= set(GRADES)
+    assert all(f"(`{name}`)" in markdown.read_text() for name in verdict.index)
     if tier == "smoke":
-        assert set(verdict) == {"NOT RUN"}
+        assert set(verdict) == {NOT_RUN}
     else:
-        assert verdict["eps-17-stiff-displaced"] == "REPRODUCED"
-        assert verdict["eps-20-22-all-zigzag"] == "REPRODUCED"
-        assert verdict["eps-11-soft-zigzag"] == "NOT REPRODUCED"  # the made-up boundary is at Ca = 0.83
-        assert set(verdict) == {"REPRODUCED", "NOT REPRODUCED"}
-        assert verdict["unit-conversion"] == "NOT REPRODUCED"
+        assert verdict["eps-17-stiff-displaced"] == REPRODUCED
+        assert verdict["eps-20-22-all-zigzag"] == REPRODUCED
+        assert verdict["eps-11-soft-zigzag"] == HOLDS  # the made-up boundary is at Ca = 0.83
+        assert set(verdict) == {REPRODUCED, HOLDS, CONTRADICTS, NOT_REPRODUCED}
+        assert verdict["reynolds"] == verdict["unit-conversion"] == CONTRADICTS
+        assert table["verdict_ca-1.6"]["unit-conversion"] == REPRODUCED
+        assert table.verdict_hinge_sphere["table-1"] == verdict["table-1"] == HOLDS
+        assert table.verdict_hinge_sphere["tweezer"] == NOT_RUN  # the cell of this law was not stretched
+        assert table.verdict_blocked["eps-17-stiff-displaced"] == REPRODUCED  # by its bracket
 
 
 @pytest.fixture
@@ -201,19 +208,26 @@ def test_the_boundary_of_the_made_up_cells_is_found_again(tables, results):
     if "fine" not in results.name:
         pytest.skip("the smoke tier has too few brackets")
     fits = tables["fits"].set_index(["name", "parameter"])
-    for series, offset in (("lattice-0.4", 3.1), ("lattice-0.2", 3.0), ("extrapolated", 2.9)):
+    for series, softening, tolerance in (
+        ("default", 1.0, 0.1),
+        ("corrected", 1.0, 0.1),
+        ("hinge_sphere", 0.5, 0.3),
+        ("hinge_sheet", 1.5, 0.3),
+    ):
         rows = fits.loc[f"boundary/{series}"]
-        assert rows.value["offset_um"] == pytest.approx(offset, abs=0.15)
-        assert rows.value["rate"] == pytest.approx(1.72, abs=0.15)
+        assert rows.value["offset_um"] == pytest.approx(3.1, rel=tolerance)
+        assert rows.value["rate"] == pytest.approx(1.72 * softening, rel=tolerance)
     boundary = tables["phase_boundary"].set_index(["series", "row_shift_um"])
-    assert boundary.loc[("lattice-0.4", 2.0)].status == "all-displaced"
-    assert boundary.loc[("lattice-0.4", 8.8)].status == "all-zigzag"
+    assert boundary.loc[("default", 2.0)].status == "all-displaced"
+    assert boundary.loc[("default", 8.8)].status == "all-zigzag"
 
 
 def test_the_sensitivity_study_states_every_choice_and_its_change(tables, results, study):
     rows = tables["sensitivity"]
     tier = study["tiers"]["fine" if "fine" in results.name else "smoke"]
     assert set(tier["sensitivity"]["choices"]) <= set(rows.choice)
+    others = rows[rows.choice != "default"]
+    assert set(zip(others.choice, others.value.astype(str), strict=True)) <= set(WORDS)
     softer = rows[(rows.choice == "skalak_denominator") & rows.observable.str.startswith("critical_ca")]
     assert len(softer) and (softer.change.dropna() > 0).all()  # the made-up boundary moves up
     factor = rows[(rows.choice == "capillary_factor") & rows.observable.str.startswith("critical_ca")]

@@ -30,15 +30,15 @@ def test_the_grid_gives_its_decided_points_only():
 
 def test_an_end_that_a_bracket_does_not_have_is_not_counted():
     table = confirmation(
-        ("lattice-0.4", 0.5, "displaced", 0.6, "displaced"), ("lattice-0.4", 2.4, "displaced", None, None)
+        ("default", 0.5, "displaced", 0.6, "displaced"), ("default", 2.4, "displaced", None, None)
     )
     assert end_pairs(table) == {
-        "lattice-0.4": [("displaced", "displaced"), ("zigzag", "displaced"), ("displaced", "displaced")]
+        "default": [("displaced", "displaced"), ("zigzag", "displaced"), ("displaced", "displaced")]
     }
 
 
 def test_a_confirmation_of_another_kind_is_no_second_start():
-    table = confirmation(("lattice-0.4", 0.5, "displaced", 0.6, "displaced"))
+    table = confirmation(("default", 0.5, "displaced", 0.6, "displaced"))
     assert end_pairs(table.assign(confirmation="finer-mesh")) == {}
 
 

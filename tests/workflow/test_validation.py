@@ -33,15 +33,15 @@ def at(study, pointer):
     """The object that holds the last part of a pointer, and that part."""
     *path, key = pointer.strip("/").split("/")
     for part in path:
-        study = study[part]
+        study = study[int(part) if isinstance(study, list) else part]
     return study, key
 
 
 BAD = [
     ("/tiers/paper/pasages", {}, "/tiers/paper/pasages: unknown name; did you mean 'passages'?"),
-    ("/tiers/paper/boundary/series/lattice-0.2/ca_range", [2, 0.1], "the smaller end comes first"),
-    ("/tiers/paper/boundary/series/lattice-0.2/ca_ranges", {"6": [0.8, 0.3]}, "ca_ranges/6: [0.8, 0.3]"),
-    ("/tiers/paper/boundary/series/lattice-0.2/ca_ranges", {"6.4": [0.3, 0.8]}, "has no row shift 6.4"),
+    ("/tiers/paper/boundary/series/default/ca_range", [2, 0.1], "the smaller end comes first"),
+    ("/tiers/paper/boundary/series/default/ca_ranges", {"6": [0.8, 0.3]}, "ca_ranges/6: [0.8, 0.3]"),
+    ("/tiers/paper/uncertainty/series/mesh-14/ca_ranges", {"6.4": [0.3, 0.8]}, "has no row shift 6.4"),
     ("/tiers/paper/figures/array/variant", "papr", "did you mean 'paper'?"),
     ("/tiers/paper/accuracy/studies/tweezer/methods/static/reference", "statik", "did you mean 'static'?"),
     (
@@ -50,12 +50,9 @@ BAD = [
         "there is no 'statik'; did",
     ),
     ("/tiers/paper/streamlines/refinement/refined", ["accurat", "accurate-0.4"], "did you mean 'accurate'?"),
-    (
-        "/tiers/paper/boundary/extrapolated/extrapolated",
-        ["lattice-0.5", "lattice-0.4"],
-        "there is no 'lattice-0.5'; did you",
-    ),
-    ("/tiers/paper/sensitivity/boundary/reference", "latice-0.4", "did you mean 'lattice-0.4'?"),
+    ("/tiers/paper/uncertainty/rows/0/series", "referense", "did you mean 'reference'?"),
+    ("/tiers/paper/uncertainty/rows/0/reference", "corected", "did you mean 'corrected'?"),
+    ("/tiers/paper/sensitivity/boundary/reference", "defaut", "did you mean 'default'?"),
     ("/tiers/paper/sensitivity/boundary/choices", ["kernl"], "choices/0: there is no 'kernl'"),
     ("/tiers/paper/figures/trajectory_sweep", "gird", "did you mean 'grid'?"),
     ("/tiers/paper/figures/streamline_variant", "papr", "did you mean 'paper'?"),

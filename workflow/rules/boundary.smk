@@ -11,11 +11,11 @@ from study.schedule import bracket_priority, expected_updates, priority
 BRACKETS = f"{RESULTS}/brackets"
 SIDES = ["low", "high"]
 BRACKET_FILES = [
-    f"{BRACKETS}/{name}/level-{bracket['levels']}.json" for name, bracket in PLAN["brackets"].items()
+    f"{BRACKETS}/{name}/level-{bracket['levels']}.json" for name, bracket in study_brackets(PLAN).items()
 ]
 CONFIRMATION_FILES = [
     f"{BRACKETS}/{name}/confirm-{label}-{side}.json"
-    for name, bracket in PLAN["brackets"].items()
+    for name, bracket in study_brackets(PLAN).items()
     for label in bracket["confirm"]
     for side in SIDES
 ]

@@ -4,7 +4,7 @@ EXTENT_FIGURES = expand(
     "{folder}/{name}.{ext}",
     folder=FIGURES,
     name=["fig09", "fig10", "fig_return_maps", "fig_film", "fig_speed"]
-    + ["fig_a_priori", "fig_sensitivity", "fig_refinement"],
+    + ["fig_a_priori", "fig_sensitivity"],
     ext=["pdf", "png", "csv"],
 ) + [f"{FIGURES}/fig09_factors.csv"]
 
@@ -126,23 +126,5 @@ rule figure_sensitivity:
     shell:
         """
         python {input.script} --plan {input.plan} --table {input.table} \
-            --csv {output.csv} --output {output.pdf} 2> {log}
-        """
-
-
-rule figure_refinement:
-    input:
-        plan=PLAN_FILE,
-        table=rules.passages_table.output,
-        crossings=rules.crossings_table.output.crossings,
-        script=f"{SCRIPTS}/fig_refinement.py",
-        package=PACKAGE,
-    output:
-        multiext(f"{FIGURES}/fig_refinement", pdf=".pdf", png=".png", csv=".csv"),
-    log:
-        f"{LOGS}/fig_refinement.log",
-    shell:
-        """
-        python {input.script} --plan {input.plan} --table {input.table} --crossings {input.crossings} \
             --csv {output.csv} --output {output.pdf} 2> {log}
         """

@@ -11,6 +11,7 @@ def made_on_request(_):
     """Digest of the tables and figures of other targets, which report and article show if they are there."""
     digest = hashlib.sha256()
     others = [*ACCURACY_FILES, *rules.accuracy_class.input, *STABILITY_TABLES, *STABILITY_FIGURES, *PERFORMANCE_FILES]
+    others += [UNCERTAINTY_TABLE, *UNCERTAINTY_FIGURE]
     for path in map(Path, others):
         if path.exists():
             digest.update(path.read_bytes())
@@ -71,7 +72,8 @@ rule report:
         """
 
 
-# On request: the text is the project's own, and only its numbers come from the results.
+# On request: the text is the project's own, and only its numbers come from the results. What the boundary
+# depends on is shown if the target `uncertainty` was made.
 rule readme:
     input:
         tables=expand("{folder}/{name}.csv", folder=TABLES, name=["stage_times", "phase_boundary", "second_starts"]),

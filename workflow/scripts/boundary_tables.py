@@ -1,13 +1,12 @@
-"""The boundary between displaced and zigzag: critical capillary number of every series and row shift, its
-limit at vanishing lattice spacing, confirmations of its ends, and the mirror question, the critical row
-shift."""
+"""The boundary between displaced and zigzag: critical capillary number of every series and row shift,
+confirmations of its ends, and the mirror question, the critical row shift."""
 
 from pathlib import Path
 
 from study.arguments import required_arguments
-from study.boundary import UNDISPUTED, extrapolated_rows, undisputed
+from study.boundary import UNDISPUTED, undisputed
 from study.brackets import point_at
-from study.plan import read_json
+from study.plan import read_json, study_brackets
 from study.tables import write_table
 
 BOUNDARY = [
@@ -21,13 +20,13 @@ BOUNDARY = [
     "series",
 ]
 BOUNDARY += ["undecided_inside", "contradictions", *UNDISPUTED]
-BOUNDARY += ["observed_order", "confirmed", "runs"]
+BOUNDARY += ["confirmed", "runs"]
 ROW_SHIFTS = ["series", "dx_um", "capillary_number", "d_displaced_um", "d_zigzag_um", "status"]
 ROW_SHIFTS += ["undecided_inside", "contradictions", "settings", "runs"]
 POINTS = ["series", "dx_um", "row_shift_um", "capillary_number", "class", "run"]
 CONFIRMATION = ["series", "row_shift_um", "confirmation", "ca_displaced", "class_at_displaced", "ca_zigzag"]
 CONFIRMATION += ["class_at_zigzag", "agrees", "runs"]
-STYLES = {"dx_um": ".4f", "row_shift_um": ".1f", "observed_order": ".2f", "d_displaced_um": ".2f"}
+STYLES = {"dx_um": ".4f", "row_shift_um": ".1f", "d_displaced_um": ".2f"}
 STYLES |= {"d_zigzag_um": ".2f"} | dict.fromkeys(
     ["ca_displaced", "ca_zigzag", *UNDISPUTED, "capillary_number"], ".4g"
 )
@@ -88,7 +87,7 @@ def main():
     )
     plan = read_json(arguments.plan)
     boundary, row_shifts, points, confirmation = [], [], [], []
-    for name, definition in plan["brackets"].items():
+    for name, definition in study_brackets(plan).items():
         folder = Path(arguments.brackets) / name
         state = read_json(folder / f"level-{definition['levels']}.json")
         row = common(definition, state)
@@ -105,9 +104,6 @@ def main():
         row["confirmed"] = "; ".join(f"{found['confirmation']}: {found['agrees']}" for found in confirmed)
         boundary.append(row)
         confirmation += confirmed
-    for name, series in plan["extrapolated"].items():
-        limits = list(extrapolated_rows(name, series, boundary))
-        boundary += [row | dict(zip(UNDISPUTED, map(row.get, BOUNDARY[2:4]), strict=True)) for row in limits]
     write_table(boundary, BOUNDARY, arguments.boundary, ["series", "row_shift_um"], STYLES)
     write_table(row_shifts, ROW_SHIFTS, arguments.row_shifts, ["series", "capillary_number"], STYLES)
     keys = ["series", "row_shift_um", "capillary_number"]

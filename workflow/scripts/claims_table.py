@@ -1,9 +1,9 @@
-"""The verdict on every claim: REPRODUCED, NOT REPRODUCED with the measured value, NOT DECIDED where its runs
-do not tell, or NOT RUN.
+"""The verdict on every claim: its grade in the default reading of what the paper leaves open, with the
+measured value, and its grade in every other reading.
 
 A claim that does not come out is a result, and so is one that cannot be decided. A claim for which a run is
 missing is one only in a tier that examines less than the whole; in the others the program says which and
-fails.
+fails. That counts for the default reading alone: the others have fewer runs.
 """
 
 import argparse
@@ -11,16 +11,18 @@ import sys
 from pathlib import Path
 
 import pandas as pd
-from study import claims_classes, claims_extent, claims_flow  # noqa: F401 (they register their checks)
-from study.claims import CHECKS, Undecidable, counted
+from study import claims_boundary, claims_classes, claims_extent, claims_flow  # noqa: F401 (register checks)
+from study.claims import CHECKS, Undecidable
+from study.claims_page import page
+from study.grades import NOT_DECIDED, NOT_RUN, OTHERWISE, graded, limit_of
 from study.plan import validated
-from study.tables import markdown_table, read_table, write_table
+from study.readings import view
+from study.tables import read_table, write_table
 
 TABLES = ["streamline_separation", "fits", "stokes_checks", "units", "stretching", "passages"]
 TABLES += ["phase_boundary", "critical_row_shift", "a_priori"]
-COLUMNS = ["id", "verdict", "claim", "where", "paper_value", "unit", "measured", "uncertainty"]
-COLUMNS += ["tolerance", "reason", "note", "explanation", "runs"]
-RUNS_SHOWN = 4  # in the Markdown page; the CSV file has all
+COLUMNS = ["id", "verdict", "grounds", "claim", "where", "paper_value", "unit", "measured", "uncertainty"]
+COLUMNS += ["tolerance", "reason", "limit", "limit_reason", "note", "explanation"]
 
 
 def as_text(value):
@@ -32,45 +34,31 @@ def as_text(value):
     return "" if value is None else f"{value:g}"
 
 
-def row_of(claim, tables, experiment, tier):
-    """Table row of one claim."""
-    row = {name: claim.get(name) for name in ("id", "claim", "where", "unit", "reason")}
-    row |= {"paper_value": as_text(claim["value"]), "tolerance": as_text(claim["tolerance"])}
+def judged(claim, tables, experiment):
+    """(grade, on what it rests, finding or why there is none) of a claim by the view of a reading."""
     try:
         finding = CHECKS[claim["id"]](tables, claim, experiment)
     except Undecidable as why:
-        return row | {"verdict": "NOT DECIDED", "note": str(why), "runs": ""}
-    if finding is None:
-        return row | {"verdict": "NOT RUN", "note": f"the {tier} tier has no runs for it", "runs": ""}
-    verdict = "REPRODUCED" if finding.reproduced else "NOT REPRODUCED"
-    row["explanation"] = None if finding.reproduced else claim.get("otherwise")
+        return NOT_DECIDED, "", str(why)
+    return (NOT_RUN, "", None) if finding is None else (*graded(claim, finding), finding)
+
+
+def row_of(claim, views, experiment, tier):
+    """Table row of one claim; `views` are the tables by reading, those of the default first."""
+    row = {name: claim.get(name) for name in ("id", "claim", "where", "unit", "reason")}
+    row |= {"paper_value": as_text(claim["value"]), "tolerance": as_text(claim["tolerance"]), "runs": ""}
+    row |= {"limit": limit_of(claim), "limit_reason": claim.get("holds", {}).get("reason")}
+    default, *others = views
+    for name in others:
+        row[f"verdict_{name}"] = judged(claim, views[name], experiment)[0]
+    row["verdict"], row["grounds"], finding = judged(claim, views[default], experiment)
+    if row["verdict"] == NOT_RUN:
+        return row | {"note": f"the {tier} tier has no runs for it"}
+    if row["verdict"] == NOT_DECIDED:
+        return row | {"note": finding}
+    row["explanation"] = claim["otherwise"] if row["verdict"] in OTHERWISE else None
     found = {name: getattr(finding, name) for name in ("measured", "uncertainty", "note")}
-    return row | found | {"verdict": verdict, "runs": " ".join(finding.runs)}
-
-
-def runs_in_words(runs):
-    """The runs behind a verdict: all if they are few."""
-    names = runs.split()
-    if len(names) <= RUNS_SHOWN:
-        return " ".join(names)
-    return f"{' '.join(names[:RUNS_SHOWN])} and {len(names) - RUNS_SHOWN} more"
-
-
-def markdown(rows, tier):
-    """The verdicts as a Markdown page."""
-    lines = [f"# Verdicts on the paper's claims ({tier} tier)", ""]
-    lines += [counted(row["verdict"] for row in rows) + ".", ""]
-    titles = ["id", "claim", "place", "paper", "measured", "uncertainty", "tolerance", "verdict"]
-    titles += ["explanation", "note", "runs"]
-    cells = []
-    for row in rows:
-        shown = row | {
-            "place": row["where"],
-            "paper": " ".join(filter(None, (row["paper_value"], row["unit"]))),
-            "runs": runs_in_words(row["runs"]),
-        }
-        cells.append([shown.get(title) or "" for title in titles])
-    return "\n".join([*lines, *markdown_table(titles, cells)]) + "\n"
+    return row | found | {"runs": " ".join(finding.runs)}
 
 
 def main():
@@ -85,11 +73,14 @@ def main():
     arguments = parser.parse_args()
     tables = {name: read_table(Path(arguments.tables) / f"{name}.csv") for name in TABLES}
     experiment = pd.read_csv(arguments.experiment, comment="#")
-    claims = validated(arguments.claims, "claims")["claims"]
-    rows = [row_of(claim, tables, experiment, arguments.tier) for claim in claims]
-    write_table(rows, COLUMNS, arguments.csv)
-    Path(arguments.markdown).write_text(markdown(rows, arguments.tier), encoding="utf-8")
-    missing = [row["id"] for row in rows if row["verdict"] == "NOT RUN"]
+    declared = validated(arguments.claims, "claims")
+    readings = declared["readings"]
+    views = {reading["id"]: view(tables, reading) for reading in readings}
+    rows = [row_of(claim, views, experiment, arguments.tier) for claim in declared["claims"]]
+    columns = [*COLUMNS, *(f"verdict_{reading['id']}" for reading in readings[1:]), "runs"]
+    write_table(rows, columns, arguments.csv)
+    Path(arguments.markdown).write_text(page(rows, readings, arguments.tier), encoding="utf-8")
+    missing = [row["id"] for row in rows if row["verdict"] == NOT_RUN]
     if arguments.whole and missing:
         sys.exit(f"runs are missing for the claims {', '.join(missing)} (tier {arguments.tier})")
 

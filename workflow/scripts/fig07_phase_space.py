@@ -1,63 +1,36 @@
-"""Figure 7: the phase space of capillary number and row shift. Cells of the sweep, brackets of the boundary
-with the fitted exponentials and the paper's Eq. (5); beside it the boundary with blocked lateral flow."""
-
-from typing import NamedTuple
+"""Figure 7: the phase space of capillary number and row shift, as far as the paper's diagram goes. Cells, the
+paper's boundary Eq. (5) and ours: brackets and the law fitted to them with the 95 % band of its bootstrap,
+(a) with the plain kernel, where thin lines are the boundary by the other calibrations of bending, and (b)
+with the corrected one."""
 
 import numpy as np
 from study import style
 from study.arguments import figure_arguments
 from study.boundary import PARAMETERS, UNDISPUTED, bootstrap_boundary, brackets_of, law
 from study.claims import load_claims
+from study.passages import DECIDED
 from study.plan import read_json
 from study.tables import read_table, write_table
 
-COLUMNS = [
-    "panel",
-    "kind",
-    "series",
-    "row_shift_um",
-    "capillary_number",
-    "class",
-    *UNDISPUTED,
-]
+COLUMNS = ["panel", "kind", "series", "row_shift_um", "capillary_number", "class", *UNDISPUTED]
 COLUMNS += ["status", "contradictions", "d_um", "d_low_um", "d_high_um"]
-CURVE = np.geomspace(0.08, 2.5, 60)  # capillary numbers of the curves
+LARGEST = 1.6  # capillary number at the right edge
+CURVE = np.linspace(0, LARGEST, 81)  # capillary numbers of the curves
 REACH = 1.2  # a fitted curve ends at its outermost brackets times this
-MARKERS = {"displaced": "o", "zigzag": "s", "undecided": "D", "diverged": "x", "interrupted": "x"}
-
-
-class Look(NamedTuple):
-    """How a series of brackets is drawn, what the legend calls it, and in which panels it stands."""
-
-    colour: str
-    marker: str
-    label: str
-    panels: tuple = ("free",)
-
-
-BOTH = ("free", "blocked")
-#: The series that are drawn, in this order.
-LOOKS = {
-    "lattice-0.8": Look(style.PURPLE, "v", "dx = 0.8 μm"),
-    "lattice-0.4": Look(style.GREEN, "^", "dx = 0.4 μm", BOTH),
-    "lattice-0.2": Look(style.ORANGE, "v", "dx = 0.2 μm"),
-    "lattice-0.133": Look(style.PURPLE, "<", "dx = 0.133 μm"),
-    "corrected-0.4": Look(style.BLUE, "o", "dx = 0.4 μm, corrected", BOTH),
-    "corrected-0.2": Look(style.VERMILION, "o", "dx = 0.2 μm, corrected"),
-    "extrapolated": Look(style.BLACK, "D", "extrapolated, dx → 0"),
-    "extrapolated-3": Look("#777777", "D", "extrapolated, dx → 0 (3 lattices)"),
-    "blocked-lateral": Look(style.PURPLE, "s", "no net lateral flow", ("blocked",)),
-    "blocked-corrected": Look(style.VERMILION, "s", "the same, corrected", ("blocked",)),
-    "blocked-corrected-0.2": Look(style.ORANGE, "D", "the same, corrected, dx = 0.2 μm", ("blocked",)),
+OURS = {"default": "plain kernel", "corrected": "corrected kernel"}  # series of a panel: its title
+#: The other calibrations of bending in panel (a): colour, line style, name.
+OTHERS = {
+    "hinge_sphere": (style.ORANGE, "-.", r"hinge_sphere, $c=\sqrt{3}$"),
+    "hinge_sheet": (style.SKY, "-", r"hinge_sheet, $c=1/\sqrt{3}$"),
 }
 
 
 def cell_rows(passages, panel, sweep):
-    """The cells of a sweep, coloured points of a panel."""
-    for row in passages[passages.sweep == sweep].to_dict("records"):
-        yield {"panel": panel, "kind": "cell", "series": sweep} | {
-            name: row[name] for name in ("row_shift_um", "capillary_number", "class")
-        }
+    """The cells of a sweep."""
+    cells = passages[(passages.sweep == sweep) & (passages.capillary_number <= LARGEST)]
+    names = ("row_shift_um", "capillary_number", "class")
+    for row in cells.to_dict("records"):
+        yield {"panel": panel, "kind": "cell", "series": sweep} | {name: row[name] for name in names}
 
 
 def bracket_rows(boundary, panel, series):
@@ -67,112 +40,104 @@ def bracket_rows(boundary, panel, series):
 
 
 def curve_rows(fits, boundary, panel, series):
-    """The fitted law of a series with the 95 % band of its bootstrap, as far as its brackets reach."""
+    """The fitted law of a series as far as its brackets reach, with its band if the panel is its own; of
+    another series without a fit the (geometric) middles of its brackets."""
     fit = fits[fits.name == f"boundary/{series}"].set_index("parameter")
-    if not set(PARAMETERS) <= set(fit.index):
-        return
-    brackets = brackets_of(boundary, series)
-    curve = CURVE[(np.nanmin(brackets[1:]) / REACH < CURVE) & (np.nanmax(brackets[1:]) * REACH > CURVE)]
-    middle = law([fit.value[name] for name in PARAMETERS], curve)
-    samples = bootstrap_boundary(*brackets)[1]
-    low, high = np.percentile(law(samples.T[:, :, None], curve), [2.5, 97.5], axis=0)
-    for values in zip(curve, middle, low, high, strict=True):
-        numbers = dict(zip(("capillary_number", "d_um", "d_low_um", "d_high_um"), values, strict=True))
-        yield {"panel": panel, "kind": "fit", "series": series} | numbers
+    shifts, low, high = brackets_of(boundary, series)
+    kind, columns = "fit", []
+    if set(PARAMETERS) <= set(fit.index):
+        curve = CURVE[(np.nanmin([low, high]) / REACH < CURVE) & (np.nanmax([low, high]) * REACH > CURVE)]
+        columns = [curve, law([fit.value[name] for name in PARAMETERS], curve)]
+        if series == panel:
+            samples = bootstrap_boundary(shifts, low, high)[1]
+            columns += list(np.percentile(law(samples.T[:, :, None], curve), [2.5, 97.5], axis=0))
+    elif series != panel:
+        closed = ~np.isnan(low + high)
+        kind, columns = "middle", [np.sqrt(low * high)[closed], shifts[closed]]
+    for values in sorted(zip(*columns, strict=True)):
+        numbers = zip(("capillary_number", "d_um", "d_low_um", "d_high_um"), values, strict=False)
+        yield {"panel": panel, "kind": kind, "series": series} | dict(numbers)
 
 
 def paper_rows(claim, panel):
     """The paper's Eq. (5)."""
-    for capillary in CURVE:
-        d = float(law([claim["value"][name] for name in PARAMETERS], capillary))
+    for capillary, d in zip(CURVE, law([claim["value"][name] for name in PARAMETERS], CURVE), strict=True):
         yield {"panel": panel, "kind": "paper", "series": "Eq. (5)", "capillary_number": capillary, "d_um": d}
 
 
 def collect(arguments, sweep):
-    """All rows of the figure."""
+    """All rows of the figure; a panel has the name of its series."""
     passages, boundary, fits = (
         read_table(path) for path in (arguments.passages, arguments.boundary, arguments.fits)
     )
     claim = load_claims(arguments.claims)["phase-boundary"]
-    rows = []
-    for panel in BOTH:
-        rows += cell_rows(passages, panel, sweep if panel == "free" else "blocked-lateral")
-        for series in (name for name, look in LOOKS.items() if panel in look.panels):
-            rows += bracket_rows(boundary, panel, series)
-            rows += curve_rows(fits, boundary, panel, series)
-        rows += paper_rows(claim, panel)
-    return rows
+    for panel, cells in (("default", sweep), ("corrected", "corrected")):
+        yield from cell_rows(passages, panel, cells)
+        yield from bracket_rows(boundary, panel, panel)
+        yield from curve_rows(fits, boundary, panel, panel)
+        yield from paper_rows(claim, panel)
+    for series in OTHERS:
+        yield from curve_rows(fits, boundary, "default", series)
 
 
-def draw_brackets(axes, rows, colour, marker, shift, label):
-    """Brackets as bars with a symbol in their (geometric) middle, hollow if they are wider than asked for."""
-    for row in rows.to_dict("records"):
-        low, high = (row[name] for name in UNDISPUTED)
-        if low != low or high != high:
-            continue  # the boundary is not within the range of Ca at this row shift
-        y, middle = row["row_shift_um"] + shift, np.sqrt(low * high)
-        narrow = row["status"] == "bracketed" and row["contradictions"] == 0
-        face = colour if narrow else "white"
-        axes.plot([low, high], [y, y], color=colour, lw=1.2, zorder=4)
-        axes.plot(middle, y, marker, color=colour, mfc=face, ms=4, zorder=5)
-    axes.plot([], [], color=colour, marker=marker, ms=4, label=label)
+def draw_cells(axes, cells):
+    """Displaced cells filled, zigzag ones open; those without a class are diamonds."""
+    decided = cells["class"].isin(DECIDED)
+    failed = set(cells["class"][~decided]) - {"undecided"}
+    kinds = {"displaced": (cells["class"] == "displaced", "o"), "zigzag": (cells["class"] == "zigzag", "s")}
+    kinds["undecided"] = (~decided, "D")
+    for name, (chosen, mark) in kinds.items():
+        colour, rows = style.CLASSES[name][0], cells[chosen]
+        look = {"ms": 3.4, "mew": 0.7, "color": colour, "mfc": colour if name == "displaced" else "none"}
+        label = "undecided or failed" if failed and name == "undecided" else name
+        if len(rows):
+            axes.plot(rows.capillary_number, rows.row_shift_um, mark, ls="", label=label, zorder=2, **look)
 
 
-def draw(axes, table):
+def draw_ours(axes, table, panel):
+    """The law of the panel's own series with its band, and its two-sided brackets."""
+    ours = {"color": style.GREEN, "zorder": 4}
+    law_of = table[(table.kind == "fit") & (table.series == panel)]
+    label = r"ours: hinge_half, $c=\sqrt{3}/2$"
+    axes.plot(law_of.capillary_number, law_of.d_um, lw=1.6, label=label, **ours)
+    ends = (law_of[name].astype(float) for name in ("d_low_um", "d_high_um"))
+    axes.fill_between(law_of.capillary_number, *ends, color=style.GREEN, alpha=0.25, lw=0)
+    closed = table[(table.kind == "bracket") & table[UNDISPUTED].notna().all(axis=1)]
+    for row in closed.to_dict("records"):
+        look = {"lw": 2.2, "solid_capstyle": "butt", "ms": 6, "mew": 1.2} | ours
+        axes.plot([row[name] for name in UNDISPUTED], [row["row_shift_um"]] * 2, "|-", **look)
+
+
+def draw(axes, table, panel):
     """One panel."""
-    cells = table[table.kind == "cell"]
-    for label, group in cells.groupby("class"):
-        colour, _ = style.CLASSES[label]
-        edge = {"mec": colour, "mew": 1.0} if MARKERS[label] == "x" else {"mec": "white", "mew": 0.3}
-        style_of = {"color": colour, "ms": 4.5, "alpha": 0.55, "zorder": 2, "label": label} | edge
-        axes.plot(group.capillary_number, group.row_shift_um, MARKERS[label], **style_of)
-    drawn = [name for name in LOOKS if ((table.series == name) & table.kind.isin(["bracket", "fit"])).any()]
-    for number, series in enumerate(drawn):
-        colour, marker, label, _ = LOOKS[series]
-        rows = table[table.series == series]
-        shift = 0.03 * (number - 0.5 * (len(drawn) - 1))  # side by side at the same row shift
-        draw_brackets(axes, rows[rows.kind == "bracket"], colour, marker, shift, label)
-        curve = rows[rows.kind == "fit"]
-        axes.plot(curve.capillary_number, curve.d_um, color=colour, zorder=3)
-        axes.fill_between(
-            curve.capillary_number.astype(float),
-            curve.d_low_um.astype(float),
-            curve.d_high_um.astype(float),
-            color=colour,
-            alpha=0.15,
-            lw=0,
-            zorder=1,
-        )
+    draw_cells(axes, table[table.kind == "cell"])
     paper = table[table.kind == "paper"]
-    axes.plot(
-        paper.capillary_number, paper.d_um, color=style.BLACK, ls=(0, (5, 2)), lw=1, label="paper, Eq. (5)"
-    )
-    axes.set_xscale("log")
-    ticks = [0.1, 0.2, 0.5, 1, 2]
-    axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
-    axes.set_xticks([], minor=True)
-    axes.set(xlim=(0.085, 2.8), ylim=(1.5, 9.3), xlabel="Ca", ylabel="$d$ / μm")
+    dashes = {"color": style.BLACK, "ls": (0, (5, 2)), "zorder": 5}
+    axes.plot(paper.capillary_number, paper.d_um, label="paper, Eq. (5)", **dashes)
+    draw_ours(axes, table, panel)
+    for series, (colour, line, label) in OTHERS.items():
+        rows = table[table.kind.isin(["fit", "middle"]) & (table.series == series)]
+        if len(rows):
+            axes.plot(rows.capillary_number, rows.d_um, color=colour, ls=line, lw=0.9, zorder=3, label=label)
+    axes.set(xlim=(0, LARGEST), ylim=(1.6, 9.2), xlabel="capillary number Ca")
+    axes.set_xticks(np.arange(0, LARGEST + 0.1, 0.4))
 
 
 def main():
     arguments = figure_arguments(__doc__, "passages", "boundary", "fits", "claims")
     plan = read_json(arguments.plan)
-    rows = collect(arguments, plan["figures"]["trajectory_sweep"])
+    rows = list(collect(arguments, plan["figures"]["trajectory_sweep"]))
     styles = dict.fromkeys(["row_shift_um", "d_um", "d_low_um", "d_high_um"], ".3f")
     styles |= dict.fromkeys(["capillary_number", *UNDISPUTED], ".4g")
     write_table(rows, COLUMNS, arguments.csv, styles=styles)
     table = read_table(arguments.csv)
-    figure = style.new_figure(style.PAGE, 4.0)
-    panels = figure.subplots(1, 2, sharey=True)
-    for letter, axes, name in zip("ab", panels, BOTH, strict=True):
-        draw(axes, table[table.panel == name])
-        axes.set_title(
-            f"({letter}) lateral flow {name if name == 'free' else 'free and blocked'}", loc="left"
-        )
-        axes.legend(
-            loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=2, handlelength=1.8, columnspacing=1.0
-        )
-    panels[1].set_ylabel("")
+    figure = style.new_figure(style.PAGE, 3.7)
+    panels = figure.subplots(1, 2, sharey=True, width_ratios=[1.5, 1])
+    for letter, axes, (panel, title) in zip("ab", panels, OURS.items(), strict=True):
+        draw(axes, table[table.panel == panel], panel)
+        axes.set_title(f"({letter}) {title}", loc="left")
+    panels[0].set_ylabel("row shift $d$ / μm")
+    style.legend_below(figure, 4)
     style.save(figure, arguments.output, plan["note"])
 
 

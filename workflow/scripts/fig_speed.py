@@ -10,7 +10,6 @@ from study.extent import (
     MARKERS,
     capillary_axis,
     draw_classes,
-    of_sweep,
     panel_note,
     shade,
 )
@@ -27,6 +26,7 @@ COLUMNS = [
     "slowest_row_kilosteps",
 ]
 COLUMNS += ["critical_capillary_number", "half_width", "distance", "run"]
+SERIES = "default"  # of the brackets with the settings of the sweep
 LEGEND = {"fontsize": 6.5, "handlelength": 1.2, "columnspacing": 0.8, "handletextpad": 0.4}
 
 
@@ -36,30 +36,20 @@ def slowest_rows(crossings):
     return ordered.groupby("run").step.diff().div(1000).groupby(ordered.run).max()
 
 
-def critical_numbers(boundary, dx_um):
-    """Middle and half width, as a ratio less 1, of the two-sided brackets of the default settings at this
-    lattice, by row shift. A wide bracket counts too: its width is shown.
-    """
-    two_sided = boundary.ca_displaced.notna() & boundary.ca_zigzag.notna()
-    rows = boundary[boundary.series.str.startswith("lattice-") & two_sided]
-    rows = rows[(rows.dx_um.astype(float) - dx_um).abs() < 1e-3]
-    middle, width = (
-        np.sqrt(rows.ca_displaced * rows.ca_zigzag),
-        np.sqrt(rows.ca_zigzag / rows.ca_displaced) - 1,
-    )
-    table = rows.assign(middle=middle, half_width=width).groupby(rows.row_shift_um.round(3))
-    return table[["middle", "half_width"]].first()
+def critical_numbers(boundary):
+    """Middle and half width, as a ratio less 1, of the two-sided brackets of the default settings, by row
+    shift. A wide bracket counts too: its width is shown."""
+    rows = boundary[(boundary.series == SERIES) & boundary[["ca_displaced", "ca_zigzag"]].notna().all(axis=1)]
+    middle = np.sqrt(rows.ca_displaced * rows.ca_zigzag)
+    table = rows.assign(middle=middle, half_width=np.sqrt(rows.ca_zigzag / rows.ca_displaced) - 1)
+    return table.groupby(rows.row_shift_um.round(3))[["middle", "half_width"]].first()
 
 
 def cells(passages, crossings, boundary, plan):
-    """Cells of the sweep and those of the brackets at the same lattice, each once."""
-    grid = of_sweep(passages, plan)
-    dx = grid.dx_um.iloc[0] if len(grid) else np.nan
-    boundary = boundary[boundary.dx_um.astype(str) != "extrapolated"]
-    same = boundary[(boundary.dx_um.astype(float) - dx).abs() < 1e-3].series.unique()
-    names = [f"boundary/{name}" for name in same if name.startswith("lattice-")]
-    rows = passages[passages.sweep.isin([plan["figures"]["trajectory_sweep"], *names])].drop_duplicates("run")
-    shifts, known = rows.row_shift_um.round(3), critical_numbers(boundary, dx)
+    """Cells of the sweep and those of the brackets with its settings, each once."""
+    names = [plan["figures"]["trajectory_sweep"], f"boundary/{SERIES}"]
+    rows = passages[passages.sweep.isin(names)].drop_duplicates("run")
+    shifts, known = rows.row_shift_um.round(3), critical_numbers(boundary)
     critical = shifts.map(known.middle)
     return rows.assign(
         slowest_row_kilosteps=rows.run.map(slowest_rows(crossings)),

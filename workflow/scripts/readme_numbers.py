@@ -1,4 +1,5 @@
-"""Puts the numbers of the results into README.md, between its marks: times, boundary, verdicts."""
+"""Puts the numbers of the results into README.md, between its marks: times, verdicts, the boundary, what it
+depends on, second starts."""
 
 from pathlib import Path
 
@@ -12,12 +13,11 @@ def main():
     arguments = required_arguments(__doc__, "readme", "tables", "verdicts", "claims")
     tables = Path(arguments.tables)
     claim = load_claims(arguments.claims)["phase-boundary"]
-    brackets = read_table(tables / "phase_boundary.csv")
+    uncertainty = tables / "boundary_uncertainty.csv"  # made on request
     blocks = {
         "times": readme.times(read_table(tables / "stage_times.csv")),
-        "boundary": readme.boundary(brackets, claim),
-        "doubts": readme.doubts(brackets),
-        "blocked": readme.blocked(brackets, claim),
+        "boundary": readme.boundary(read_table(tables / "phase_boundary.csv"), claim),
+        "doubts": readme.doubts(read_table(uncertainty) if uncertainty.exists() else None),
         "starts": readme.starts(read_table(tables / "second_starts.csv")),
         "verdicts": readme.verdicts(read_table(arguments.verdicts)),
     }

@@ -9,6 +9,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from study import report
 from study.arguments import required_arguments
 from study.claims import load_claims
+from study.grades import GRADES
 from study.plan import read_json
 from study.tables import read_table
 
@@ -51,6 +52,7 @@ def context(arguments):
     return {
         "tier": plan["tier"],
         "verdicts": verdicts.to_dict("records"),
+        "grades": list(GRADES),
         "counts": Counter(verdicts.verdict),
         "sets": sets,
         "points": points,

@@ -1,5 +1,4 @@
-"""The boundary of the phase space from brackets: its limit at vanishing lattice spacing and the law
-d = a + b exp(-c Ca)."""
+"""The boundary of the phase space from brackets: the law d = a + b exp(-c Ca)."""
 
 import math
 
@@ -7,59 +6,12 @@ import numpy as np
 from scipy.optimize import minimize
 from scipy.special import ndtr
 
-from study.fits import observed_order
-
 #: Columns of the table of the boundary that a fit goes through, see undisputed.
 UNDISPUTED = ["ca_undisputed_displaced", "ca_undisputed_zigzag"]
 PARAMETERS = ("offset_um", "amplitude_um", "rate")
 #: Smallest scatter of row shifts about the law that is believed, um: a twentieth of the paper's lattice.
 SMALLEST_SCATTER_UM = 0.02
 SEED, SAMPLES = 20141, 200
-
-
-def _weights(spacings, order):
-    """Weights of the values on two lattices, coarse and fine, in the limit h -> 0 of a h^order."""
-    gain = 1 / ((spacings[0] / spacings[1]) ** order - 1)
-    return -gain, 1 + gain
-
-
-def extrapolated_interval(spacings, intervals):
-    """(low, high, observed order or None) of the limit at vanishing lattice spacing, by interval arithmetic.
-
-    Linear in the spacing between the two finest lattices; with three, of the order that the middles of the
-    intervals show (physics: the error of the film is of first order). `intervals` are logarithms.
-    """
-    order = np.argsort(spacings)[::-1]
-    h, ends = np.asarray(spacings, float)[order], np.asarray(intervals, float)[order]
-    observed = observed_order(h[-3:], ends[-3:].mean(axis=1)) if len(h) >= 3 else None
-    coarse, fine = _weights(h[-2:], observed or 1.0)
-    low = fine * ends[-1, 0] + coarse * ends[-2, 1]
-    high = fine * ends[-1, 1] + coarse * ends[-2, 0]
-    return float(low), float(high), observed
-
-
-def extrapolated_rows(name, series, rows):
-    """Rows `extrapolated` of the table of the boundary, for the row shifts that all series have."""
-    members = [{row["row_shift_um"]: row for row in rows if row["series"] == one} for one in series]
-    shared = sorted(set.intersection(*(set(member) for member in members)))
-    for shift in shared:
-        found = [member[shift] for member in members]
-        finest = min(found, key=lambda row: row["dx_um"])
-        row = {"dx_um": "extrapolated", "row_shift_um": shift, "series": name, "status": finest["status"]}
-        row |= {key: finest[key] for key in ("lateral_flow",)}
-        row |= {"settings": " + ".join(series), "runs": " ".join(one["runs"] for one in found)}
-        row |= {key: sum(one[key] for one in found) for key in ("undecided_inside", "contradictions")}
-        closed = all(one["ca_displaced"] and one["ca_zigzag"] for one in found)
-        if closed:
-            intervals = [[math.log(one["ca_displaced"]), math.log(one["ca_zigzag"])] for one in found]
-            low, high, observed = extrapolated_interval([one["dx_um"] for one in found], intervals)
-            row |= {"ca_displaced": math.exp(low), "ca_zigzag": math.exp(high), "observed_order": observed}
-            row["status"] = "open" if any(one["status"] == "open" for one in found) else "bracketed"
-        elif len({one["status"] for one in found}) == 1 and finest["status"].startswith("all"):
-            row |= {key: finest[key] for key in ("ca_displaced", "ca_zigzag")}
-        else:
-            row["status"] = "open"  # the boundary leaves the range on one of the lattices
-        yield row
 
 
 def law(parameters, capillary):

@@ -4,7 +4,16 @@ import math
 
 import numpy as np
 
-from study.claims import Finding, Undecidable, at_paper_lattice, check, ranged, runs_of
+from study.claims import (
+    Finding,
+    Undecidable,
+    at_paper_lattice,
+    check,
+    deviation,
+    ranged,
+    runs_of,
+    statements_that_hold,
+)
 from study.fits import chi_squared
 
 
@@ -44,9 +53,9 @@ def stokes_linear(tables, claim, _):
     changes = rows.relative_change.abs()
     growing = (rows.relative_change > 0).sum()
     note = f"an increase at {growing} of {len(rows)} row shifts, else a decrease; the paper says increase"
-    return Finding(
-        bool(changes.max() < claim["value"]), ranged(changes, ".1e"), note, "1e-9", pair_runs(rows)
-    )
+    largest = float(changes.max())
+    good = largest < claim["value"]
+    return Finding(good, ranged(changes, ".1e"), note, "1e-9", pair_runs(rows), 100 * largest)
 
 
 @check("stokes-mirror")
@@ -57,9 +66,8 @@ def stokes_mirror(tables, claim, _):
     worst = rows.reversal_max_high.max()
     shift = (rows.s_um_high - rows.s_upper_um_high).abs().max()
     note = f"upstream and downstream separatrix differ by {shift:.3f} um at most"
-    return Finding(
-        bool(worst < claim["tolerance"]), f"{worst:.1e} of the largest speed", note, runs=pair_runs(rows)
-    )
+    good, text = bool(worst < claim["tolerance"]), f"{worst:.1e} of the largest speed"
+    return Finding(good, text, note, runs=pair_runs(rows), difference=float(shift))
 
 
 @check("reynolds")
@@ -70,10 +78,12 @@ def reynolds(tables, claim, _):
     value, slit = rows.reynolds_number.mean(), rows.reynolds_number_slit.mean()
     note = f"slit without pillars {slit:.2f}, superficial mean {rows.reynolds_number_superficial.mean():.2f}"
     return Finding(
-        abs(value - claim["value"]) <= claim["tolerance"],
+        bool(abs(value - claim["value"]) <= claim["tolerance"]),
         f"{value:.3f} (fluid mean)",
         note,
         runs=runs_of(rows),
+        difference=float(deviation(value, claim["value"])),
+        holding=statements_that_hold(claim, lambda said: abs(value - said["value"]) <= said["tolerance"]),
     )
 
 
@@ -90,8 +100,9 @@ def resistance(tables, claim, _):
     note = f"refined: {refined.resistance_Pa_s_per_m2.mean():.3e}" if len(refined) else ""
     text = f"{mean:.3e}, same to {100 * spread:.2f} %"
     error = abs(mean - refined.resistance_Pa_s_per_m2.mean()) if len(refined) else math.nan
-    good = bool(good and spread <= claim["tolerance"]["spread"])
-    return Finding(good, text, note, f"{error:.1e} (lattice)", runs_of(rows))
+    same = spread <= claim["tolerance"]["spread"]
+    off = float(deviation(mean, claim["value"]["mean"])) if same else None
+    return Finding(bool(good and same), text, note, f"{error:.1e} (lattice)", runs_of(rows), off)
 
 
 @check("device-pressure")
@@ -100,9 +111,9 @@ def device_pressure(tables, claim, _):
     if rows.empty:
         return None
     pressure = rows.resistance_Pa_s_per_m2.mean() * 1e-3 * 30e-3 / 1e5
-    return Finding(
-        bool(abs(pressure - claim["value"]) <= claim["tolerance"]), f"{pressure:.3f} bar", runs=runs_of(rows)
-    )
+    good = bool(abs(pressure - claim["value"]) <= claim["tolerance"])
+    off = float(deviation(pressure, claim["value"]))
+    return Finding(good, f"{pressure:.3f} bar", runs=runs_of(rows), difference=off)
 
 
 @check("table-1")
@@ -123,7 +134,14 @@ def table_1(tables, claim, _):
     errors = flow_rows(tables, "refined").s_uncertainty_um.dropna()
     error = f"refined: +- {errors.max():.3f}" if len(errors) else ""
     text = f"{listed(measured)}; off by {worst:.2f} at most"
-    return Finding(worst <= claim["tolerance"], text, note, error, runs_of(flow_rows(tables)))
+    return Finding(worst <= claim["tolerance"], text, note, error, runs_of(flow_rows(tables)), worst)
+
+
+def largest_deviation(found, printed, epsilon):
+    """How far a law of separation is from the printed one at most within a range of eps, per cent."""
+    at = np.linspace(epsilon.min(), epsilon.max(), 101)
+    ratio = found["A_um"] / printed["A_um"] * at ** (found["B"] - printed["B"])
+    return float(100 * np.abs(ratio - 1).max())
 
 
 @check("separation-law")
@@ -152,23 +170,31 @@ def separation_law(tables, claim, _):
         f"{key}: {row.low:.3f} ... {row.high:.3f}" for key, row in measured.items() if row.low == row.low
     ]
     error = "95 %: " + ", ".join(intervals) if intervals else ""
-    return Finding(bool(good), text(measured), note, error, runs_of(flow_rows(tables)))
+    found = {key: row.value for key, row in measured.items()}
+    off = largest_deviation(found, claim["value"], flow_rows(tables).epsilon)
+    return Finding(bool(good), text(measured), note, error, runs_of(flow_rows(tables)), off)
 
 
 @check("unit-conversion")
 def unit_conversion(tables, claim, _):
-    if flow_rows(tables).empty:
+    table = tables["units"]
+    rows = table[table.source == "l = sqrt(G H), resistance of paper"].sort_values("capillary_number")
+    if flow_rows(tables).empty or rows.empty:
         return None
-    table, worst, measured = tables["units"], 0.0, []
-    for key in ("pressure_gradient_bar_per_m", "mean_velocity_mm_per_s"):
-        rows = table[table.source == "l = sqrt(G H), resistance of paper"].sort_values("capillary_number")
-        worst = max(worst, *np.abs(rows[key].to_numpy() / np.array(claim["value"][key]) - 1))
-        measured.append(ranged(rows[key], ".3f"))
+    keys = ("pressure_gradient_bar_per_m", "mean_velocity_mm_per_s")
+
+    def off(printed):
+        return max(np.abs(rows[key].to_numpy() / np.array(printed[key]) - 1).max() for key in printed)
+
+    worst = off({key: claim["value"][key] for key in keys})
+    measured = [ranged(rows[key], ".3f") for key in keys]
     text = f"p' = {measured[0]} bar/m, u = {measured[1]} mm/s"
     note = (
         "l = H instead of sqrt(G H) nearly gives the printed p'; the printed p' and u agree with each other"
     )
-    return Finding(bool(worst <= claim["tolerance"]), text, note, runs=runs_of(flow_rows(tables)))
+    holding = statements_that_hold(claim, lambda said: off(said["value"]) <= said["tolerance"])
+    good = bool(worst <= claim["tolerance"])
+    return Finding(good, text, note, runs=runs_of(flow_rows(tables)), holding=holding)
 
 
 @check("cell-area")
@@ -179,7 +205,8 @@ def cell_area(tables, claim, _):
         return None
     area = rows.area_over_radius_squared.iloc[0]
     good = bool(abs(area - claim["value"]) <= claim["tolerance"])
-    return Finding(good, f"{area:.4f}", "continuum 8.771", "rounding", runs_of(rows.head(1)))
+    off = float(deviation(area, claim["value"]))
+    return Finding(good, f"{area:.4f}", "continuum 8.771", "rounding", runs_of(rows.head(1)), off)
 
 
 @check("tweezer")
@@ -208,9 +235,6 @@ def tweezer(tables, claim, experiment):
     axial, transverse = found[12]
     note = "; ".join(f"k = {k:g}: {a:.1f}, {t:.1f}" for k, (a, t) in found.items() if k != 12)
     text = f"axial {axial:.2f}, transverse {transverse:.2f} error bars off at most"
-    return Finding(
-        bool(max(axial, transverse) <= claim["tolerance"]),
-        text,
-        f"other denominators: {note}",
-        runs=runs_of(table),
-    )
+    worst = float(max(axial, transverse))
+    note = f"other denominators: {note}"
+    return Finding(worst <= claim["tolerance"], text, note, runs=runs_of(table), difference=worst)

@@ -159,7 +159,8 @@ class _Planner:
     def bracket(self, name, definition, overlay, static):
         """Definition of a bracket, with the runs of the plan that lie on its axis as its known points."""
         axis, ends = definition["axis"], definition.pop("ends")
-        run = self.run("boundary", {"sweep": f"boundary/{definition['series']}", "bracket": name}, overlay)
+        group = "uncertainty" if definition["kind"] == "uncertainty" else "boundary"
+        run = self.run(group, {"sweep": f"boundary/{definition['series']}", "bracket": name}, overlay)
         case = run["case"]
         runs = [run | {"case": at_value(case, axis, end)} for end in ends]
         runs = [end | {"id": run_id(end["case"], self.solver_model)} for end in runs]
@@ -193,7 +194,7 @@ def make_plan(study, tier_name, case_schema):
     passages = [run for run in runs if run["case"]["scene"] == "passage"]
     static = {axis: _by_line(passages, axis) for axis in AXES}
     brackets = {}
-    for source in (points.boundary_brackets, points.sensitivity_brackets):
+    for source in (points.boundary_brackets, points.sensitivity_brackets, points.uncertainty_brackets):
         for name, definition, overlay in source(tier):
             found = planner.bracket(name, definition, overlay, static[definition["axis"]])
             brackets[name] = found[0]
@@ -205,13 +206,18 @@ def make_plan(study, tier_name, case_schema):
         "note": tier["note"],
         "solver_model": study["solver_model"],
         "refinement": tier["streamlines"]["refinement"],
-        "extrapolated": tier["boundary"]["extrapolated"],
+        "uncertainty": tier["uncertainty"]["rows"],
         "sensitivity": tier["sensitivity"],
         "accuracy": tier["accuracy"],
         "figures": tier["figures"],
         "brackets": brackets,
         "runs": runs,
     }
+
+
+def study_brackets(plan):
+    """The brackets of the study by name; those of the target `uncertainty` are not among them."""
+    return {name: found for name, found in plan["brackets"].items() if found["kind"] != "uncertainty"}
 
 
 def _by_line(passages, axis):

@@ -165,6 +165,13 @@ def sensitivity_brackets(tier):
             yield from _along_capillary_number(series, boundary, part, entry["case"], kind="sensitivity")
 
 
+def uncertainty_brackets(tier):
+    """The same for the settings that are varied one at a time to know how sure the boundary is."""
+    part = tier["uncertainty"]
+    for series, entry in part["series"].items():
+        yield from _along_capillary_number(series, entry, part, entry["case"], kind="uncertainty")
+
+
 def _along_capillary_number(series, entry, part, overlay, kind="boundary"):
     own_ranges = entry.get("ca_ranges", {})
     shifts = [f"{shift:g}" for shift in entry["row_shifts_um"]]

@@ -3,26 +3,14 @@
 import math
 import re
 
-from study.boundary import PARAMETERS, critical_capillary_number
-from study.claims import counted
+from study.boundary import PARAMETERS, UNDISPUTED, critical_capillary_number
+from study.grades import counted
 from study.points import STUDY_GROUPS
 from study.tables import markdown_table
 
-#: Series of brackets that the boundary of the README shows, by how their names begin.
-SHOWN = ("lattice-", "corrected-", "extrapolated")
-#: The series that is set against the printed boundary, and what that column is called.
-JUDGED, AGAINST_PRINT = "corrected-0.4", "0.4 um, corrected, over Eq. (5)"
-#: What the brackets of the corrected coupling depend on, by series.
-DOUBTS = {
-    "corrected-0.4": "**`corrected`, 0.4 um**",
-    "half-force": "half the force, i.e. half the inertia",
-    "contact-0.05": "contact at 0.05 instead of 0.1 um",
-    "mesh-14": "mesh refined alone, frequency 10 to 14",
-    "corrected-0.2": "**`reference`, 0.2 um**",
-    "mesh-28": "mesh refined alone, frequency 20 to 28",
-}
-#: Brackets without net lateral flow, by series; the first is set against the printed boundary.
-BLOCKED = {"blocked-corrected": "corrected", "blocked-lateral": "plain kernel"}
+#: Series of brackets that the boundary of the README shows; the first is set against the printed one.
+SHOWN = ["default", "corrected", "hinge_sphere", "hinge_sheet", "blocked"]
+NO_DOUBTS = "What the brackets depend on was not made yet: `snakemake --cores 2 uncertainty`."
 
 
 def with_blocks(text, blocks):
@@ -61,13 +49,6 @@ def interval(low, high, style=".3g"):
     return f"above {low}" if low else f"below {high}" if high else ""
 
 
-def remarks(row):
-    """What a bracket leaves open, in brackets: undecided passages inside, passages that contradict it."""
-    counts = ((row.undecided_inside, "undecided inside"), (row.contradictions, "against it"))
-    texts = [f"{count:.0f} {what}" for count, what in counts if count]
-    return f" ({', '.join(texts)})" if texts else ""
-
-
 def beside_print(shift, ends, claim):
     """Texts: Ca of the paper's Eq. (5) at this row shift, and how many times it the boundary is, if known."""
     printed = critical_capillary_number(shift, [claim["value"][name] for name in PARAMETERS])
@@ -76,61 +57,39 @@ def beside_print(shift, ends, claim):
     return [f"{printed:.2f}", interval(*(end / printed for end in ends), ".2f") if printed and ends else ""]
 
 
-def brackets_of(table, names):
-    """Text of every bracket of these series, by series and row shift."""
-    chosen = table[table.series.isin(names)].itertuples()
-    return {
-        (row.series, row.row_shift_um): interval(row.ca_displaced, row.ca_zigzag) + remarks(row)
-        for row in chosen
-    }
+def boundary(table, claim):
+    """Critical capillary number of every series shown and of the paper's Eq. (5) by row shift, and how many
+    times the printed one the first is."""
+    rows = table[table.series.isin(SHOWN)]
+    keys = zip(rows.series, rows.row_shift_um, strict=True)
+    found = dict(zip(keys, rows[UNDISPUTED].astype(float).itertuples(index=False, name=None), strict=True))
+    lines = []
+    for shift in sorted(set(rows.row_shift_um)):
+        texts = [interval(*found.get((name, shift), (math.nan, math.nan))) for name in SHOWN]
+        lines.append([shift, *texts, *beside_print(shift, found.get((SHOWN[0], shift)), claim)])
+    titles = ["d / um", *(f"`{name}`" for name in SHOWN), "paper, Eq. (5)", f"`{SHOWN[0]}` over Eq. (5)"]
+    return "\n".join(markdown_table(titles, lines))
 
 
-def undisputed_ends(table, series):
-    """By row shift, where the boundary of a series lies for certain: what the print is judged by."""
-    rows = table[table.series == series].itertuples()
-    return {row.row_shift_um: (row.ca_undisputed_displaced, row.ca_undisputed_zigzag) for row in rows}
+def changed_bracket(row):
+    """Text of a bracket and of its change, per cent, from the least to the most that both brackets allow."""
+    change = interval(row["least_change_percent"], row["most_change_percent"], "+.0f").replace(" - ", " to ")
+    return interval(*(row[name] for name in UNDISPUTED)) + (f" ({change} %)" if change else "")
 
 
 def doubts(table):
-    """Brackets of the corrected coupling with one thing changed at a time, where something was changed."""
-    found = brackets_of(table, DOUBTS)
-    shifts = sorted({shift for name, shift in found if name not in (JUDGED, "corrected-0.2")}, reverse=True)
-    rows = [
-        [f"{label} (`{name}`)", *(found.get((name, shift), "") for shift in shifts)]
-        for name, label in DOUBTS.items()
-        if any((name, shift) in found for shift in shifts)
-    ]
-    return "\n".join(markdown_table(["changed alone", *(f"d = {shift} um" for shift in shifts)], rows))
-
-
-def blocked(table, claim):
-    """Brackets without net lateral flow, by row shift, and how many times the printed one the first is."""
-    found, judged = brackets_of(table, BLOCKED), next(iter(BLOCKED))
-    ends = undisputed_ends(table, judged)
-    rows = []
-    for shift in sorted({shift for _, shift in found}):
-        texts = [found.get((name, shift), "") for name in BLOCKED]
-        rows.append([shift, *texts, *beside_print(shift, ends.get(shift), claim)])
-    heads = [f"Ca, {label}" for label in BLOCKED.values()]
-    return "\n".join(
-        markdown_table(["d / um", *heads, "paper, Eq. (5)", f"{BLOCKED[judged]} over Eq. (5)"], rows)
-    )
-
-
-def boundary(table, claim):
-    """Critical capillary number by row shift: on each lattice, in their limit and by the paper's Eq. (5), and
-    how many times the printed one it is."""
-    free = table[table.series.str.startswith(SHOWN)]
-    limits = [name for name in sorted(free.series.unique()) if name.startswith("extrapolated")]
-    lattices = [name for name in sorted(free.series.unique(), reverse=True) if name not in limits]
-    ends, rows = undisputed_ends(table, JUDGED), []
-    for shift, group in free.groupby("row_shift_um"):
-        found = {row.series: (row.ca_displaced, row.ca_zigzag) for row in group.itertuples()}
-        texts = [interval(*found[name]) if name in found else "" for name in lattices + limits]
-        rows.append([shift, *texts, *beside_print(shift, ends.get(shift), claim)])
-    kinds = (name.partition("-") for name in lattices)
-    heads = [f"Ca at {dx} um" + ("" if kind == "lattice" else f", {kind}") for kind, _, dx in kinds]
-    return "\n".join(markdown_table(["d / um", *heads, *limits, "paper, Eq. (5)", AGAINST_PRINT], rows))
+    """Brackets with one thing changed at a time, by row shift, from the table of the target `uncertainty`; a
+    sentence without it (None)."""
+    if table is None:
+        return NO_DOUBTS
+    table = table.sort_values("row_shift_um", ascending=False, kind="stable")
+    shifts, lines = list(dict.fromkeys(table.row_shift_um)), []
+    for (cause, setting, reference), rows in table.groupby(["cause", "setting", "reference"], sort=False):
+        cells = {row["row_shift_um"]: changed_bracket(row) for row in rows.to_dict("records")}
+        texts = (cells.get(shift, "") for shift in shifts)
+        lines.append([f"{cause}: {setting}", f"`{reference}`", *texts])
+    titles = ["changed alone", "against", *(f"d = {shift} um" for shift in shifts)]
+    return "\n".join(markdown_table(titles, lines))
 
 
 def starts(table):

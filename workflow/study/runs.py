@@ -8,7 +8,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from study.plan import read_json
+from study.plan import read_json, study_brackets
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ def load_runs(plan_path, folder, group):
 
 def bracket_runs(plan_path, brackets, folder):
     """Every run of the final state of every bracket, labelled as sweep boundary/<series>."""
-    for name, definition in read_json(plan_path)["brackets"].items():
+    for name, definition in study_brackets(read_json(plan_path)).items():
         state = read_json(Path(brackets) / name / f"level-{definition['levels']}.json")
         labels = {"sweep": f"boundary/{definition['series']}"}
         for point in state["points"]:

@@ -115,9 +115,6 @@ def _known_names(tier):
     listed = [
         (["streamlines", "refinement", key], names, variants) for key, names in flow["refinement"].items()
     ]
-    listed += [
-        (["boundary", "extrapolated", key], names, series) for key, names in boundary["extrapolated"].items()
-    ]
     listed.append((["sensitivity", "boundary", "choices"], asked["choices"], choices))
     listed.append((["figures", "law_variants"], figures["law_variants"], limits))
     listed.append((["accuracy", "class_sweeps"], tier["accuracy"]["class_sweeps"], sweeps))
@@ -140,6 +137,9 @@ def _known_names(tier):
         for number, name in enumerate(names):
             yield [*path, number], name, known
     yield ["sensitivity", "boundary", "reference"], asked["reference"], series
+    for number, row in enumerate(tier["uncertainty"]["rows"]):
+        for side in ("series", "reference"):
+            yield ["uncertainty", "rows", number, side], row[side], [*series, *tier["uncertainty"]["series"]]
     for choice, values in choices.items():
         for value, entry in values.items():
             if "series" in entry:
@@ -153,10 +153,16 @@ def _known_names(tier):
     yield ["figures", "array", "variant"], figures["array"]["variant"], variants
 
 
+def _series(tier):
+    """(path, entry) of every series of brackets of the critical capillary number."""
+    for part in ("boundary", "uncertainty"):
+        for series, entry in tier[part]["series"].items():
+            yield [part, "series", series], entry
+
+
 def _ranges(tier):
     """(path, [low, high]) of every range of a tier."""
-    for series, entry in tier["boundary"]["series"].items():
-        place = ["boundary", "series", series]
+    for place, entry in _series(tier):
         yield [*place, "ca_range"], entry["ca_range"]
         for shift, ends in entry.get("ca_ranges", {}).items():
             yield [*place, "ca_ranges", shift], ends
@@ -174,11 +180,11 @@ def inconsistencies(tier):
     for path, (low, high) in _ranges(tier):
         if not low < high:
             yield path, f"[{low:g}, {high:g}]: the smaller end comes first; turn it round"
-    for series, entry in tier["boundary"]["series"].items():
+    for path, entry in _series(tier):
         for shift in entry.get("ca_ranges", {}):
             if float(shift) not in entry["row_shifts_um"]:
                 shifts = ", ".join(f"{one:g}" for one in entry["row_shifts_um"])
-                place = ["boundary", "series", series, "ca_ranges", shift]
+                place = [*path, "ca_ranges", shift]
                 yield place, f"the series has no row shift {shift}; it has {shifts}"
     for study, part in tier["accuracy"]["studies"].items():
         for method in part["methods"]:

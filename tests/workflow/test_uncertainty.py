@@ -1,0 +1,98 @@
+"""What the boundary depends on: brackets with one thing changed against those without the change."""
+
+import json
+
+import pandas as pd
+import pytest
+from study.boundary import UNDISPUTED
+
+
+def bracket(folder, series, shift, kind, classes):
+    """A bracket of the plan; its last state {capillary number: class} is written to its folder."""
+    name = f"{series}/d{shift:g}"
+    points = [{"value": value, "class": label, "run": f"r{value}"} for value, label in classes.items()]
+    (folder / name).mkdir(parents=True)
+    state = {"points": points, "undecided_inside": 0}
+    (folder / name / "level-1.json").write_text(json.dumps(state), encoding="utf-8")
+    case = {"geometry": {"row_shift_um": shift}}
+    found = {"series": series, "kind": kind, "axis": "capillary_number", "levels": 1, "case": case}
+    return {name: found}
+
+
+@pytest.fixture
+def made(tmp_path, call, root):
+    """Table and data of the figure: a stiffer law at two row shifts, at one of which it is open."""
+    closed = {0.2: "displaced", 0.25: "zigzag"}
+    flipping = {0.3: "displaced", 0.35: "zigzag", 0.4: "displaced", 0.5: "zigzag"}
+    known = [
+        ("corrected", 6.8, "boundary", closed),
+        ("corrected", 6.0, "boundary", {0.4: "displaced", 0.5: "zigzag"}),
+        ("corrected", 3.6, "boundary", closed),
+        ("stiffer", 6.8, "uncertainty", flipping),
+        ("stiffer", 6.0, "uncertainty", {0.5: "displaced", 0.8: "displaced"}),
+        ("default", 6.8, "boundary", closed),
+        ("default", 3.6, "boundary", closed),
+    ]
+    rows = [
+        {"cause": "law", "setting": "8", "series": "stiffer", "reference": "corrected"},
+        {"cause": "kernel", "setting": "2", "series": "default", "reference": "corrected"},
+    ]
+    plan = {"note": "", "uncertainty": rows, "brackets": {}}
+    for one in known:
+        plan["brackets"] |= bracket(tmp_path / "brackets", *one)
+    (tmp_path / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
+    given = {"plan": tmp_path / "plan.json"}
+    table, drawn, output = (tmp_path / name for name in ("table.csv", "drawn.csv", "figure.pdf"))
+    call("boundary_uncertainty", **given, brackets=tmp_path / "brackets", output=table)
+    claims = {"claims": root / "params/claims.json"}
+    call("fig_boundary_uncertainty", **given, **claims, table=table, csv=drawn, output=output)
+    assert output.with_suffix(".png").stat().st_size > 0
+    return pd.read_csv(table), pd.read_csv(drawn)
+
+
+def test_a_change_lies_between_what_both_brackets_allow(made):
+    rows = made[0].set_index(["cause", "row_shift_um"])
+    law = rows.loc[("law", 6.8)]
+    assert tuple(law[UNDISPUTED]) == (0.3, 0.5)  # as far as passages contradict one another
+    assert law.least_change_percent == pytest.approx(100 * (0.3 / 0.25 - 1))
+    assert law.most_change_percent == pytest.approx(100 * (0.5 / 0.2 - 1))
+    assert law.change_percent == pytest.approx(100 * ((0.3 * 0.5 / (0.2 * 0.25)) ** 0.5 - 1), abs=0.05)
+    same = rows.loc[("kernel", 6.8)]
+    assert (same.least_change_percent, same.change_percent, same.most_change_percent) == (-20, 0, 25)
+
+
+def test_an_open_bracket_bounds_the_change_on_one_side(made):
+    row = made[0].set_index(["cause", "row_shift_um"]).loc[("law", 6.0)]
+    assert row.least_change_percent == pytest.approx(100 * (0.8 / 0.5 - 1))
+    assert pd.isna(row.change_percent) and pd.isna(row.most_change_percent)
+
+
+def test_only_row_shifts_at_which_the_target_changes_something_are_told(made):
+    assert set(made[0].row_shift_um) == {6.0, 6.8}
+    assert list(made[0].cause) == ["law", "law", "kernel"]  # at one row shift in the order of the study
+
+
+def test_the_figure_states_the_printed_boundary_beside_every_bracket(made):
+    printed = made[1].groupby("row_shift_um").printed_ca.unique()
+    assert printed[6.8] == pytest.approx([0.189], abs=1e-3)
+    assert len(made[1]) == len(made[0])
+
+
+def test_made_up_results_of_every_tier_give_table_and_figure(results, call, root, tmp_path):
+    given, table = {"plan": results / "plan.json"}, tmp_path / "table.csv"
+    call("boundary_uncertainty", **given, brackets=results / "brackets", output=table)
+    rows = pd.read_csv(table)
+    asked = {
+        (row["cause"], str(row["setting"]))
+        for row in json.loads((results / "plan.json").read_text(encoding="utf-8"))["uncertainty"]
+    }
+    assert asked == set(zip(rows.cause, rows.setting.astype(str), strict=True))
+    if "fine" in results.name:  # a fold of the made-up cells is as stiff as the law says
+        laws = rows[(rows.cause == "bending law") & (rows.row_shift_um == 6)].set_index("setting")
+        assert laws.change_percent["hinge_sphere"] > 50
+        assert laws.change_percent["hinge_sheet"] < -20
+    for name, data in (("figure", table), ("empty", tmp_path / "none.csv")):
+        if name == "empty":
+            rows.iloc[:0].to_csv(data, index=False)
+        files = {"csv": tmp_path / f"{name}.csv", "output": tmp_path / f"{name}.pdf"}
+        call("fig_boundary_uncertainty", **given, table=data, claims=root / "params/claims.json", **files)

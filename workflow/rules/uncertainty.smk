@@ -1,0 +1,47 @@
+"""How sure the boundary is: one thing changed at a time, `snakemake --cores 2 uncertainty`, on request.
+
+Its brackets have lattices of half the spacing and take hours; the study does without them.
+"""
+
+UNCERTAINTY_TABLE = f"{TABLES}/boundary_uncertainty.csv"
+UNCERTAINTY_FIGURE = multiext(f"{FIGURES}/boundary_uncertainty", ".pdf", ".png", ".csv")
+
+
+rule uncertainty_table:
+    input:
+        plan=PLAN_FILE,
+        brackets=[f"{BRACKETS}/{name}/level-{bracket['levels']}.json" for name, bracket in PLAN["brackets"].items()],
+        script=f"{SCRIPTS}/boundary_uncertainty.py",
+        package=PACKAGE,
+    output:
+        UNCERTAINTY_TABLE,
+    log:
+        f"{LOGS}/boundary_uncertainty.log",
+    params:
+        brackets=BRACKETS,
+    shell:
+        "python {input.script} --plan {input.plan} --brackets {params.brackets} --output {output} 2> {log}"
+
+
+rule figure_uncertainty:
+    input:
+        plan=PLAN_FILE,
+        table=rules.uncertainty_table.output,
+        claims=CLAIMS,
+        script=f"{SCRIPTS}/fig_boundary_uncertainty.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/boundary_uncertainty", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/fig_boundary_uncertainty.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --claims {input.claims} --csv {output.csv} \
+            --output {output.pdf} 2> {log}
+        """
+
+
+rule uncertainty:
+    input:
+        UNCERTAINTY_TABLE,
+        UNCERTAINTY_FIGURE,
