@@ -8,10 +8,10 @@
 /// 128 + signal when interrupted.
 #include <CLI/CLI.hpp>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 
 #include "output/checkpoint.hpp"
+#include "output/durable_file.hpp"
 #include "output/interrupt.hpp"
 #include "output/provenance.hpp"
 #include "parameters/limits.hpp"
@@ -77,20 +77,62 @@ void write_root_attributes(Hdf5File& out, const Case& c, const Json& summary, in
   out.attribute("/", "summary", summary.dump());
 }
 
+// The files of one run, by what they are called on the command line.
+std::vector<std::pair<std::string, std::filesystem::path>> files_of(const RunOptions& options) {
+  const std::filesystem::path output = options.output_file;
+  std::vector<std::pair<std::string, std::filesystem::path>> files = {
+      {"case", options.case_file},
+      {"output", output},
+      {"checkpoint", output.string() + ".checkpoint"},
+      {"state of a diverged run", output.string() + ".last_good.checkpoint"},
+      {"XDMF file", std::filesystem::path(output).replace_extension(".xdmf")}};
+  if (!options.summary_file.empty()) files.emplace_back("summary", options.summary_file);
+  return files;
+}
+
+// One file under two names (links included) would be overwritten by the run that reads it.
+void require_different_files(const RunOptions& options) {
+  const auto files = files_of(options);
+  const auto same = [](const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code none;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(a), none) ==
+               std::filesystem::weakly_canonical(std::filesystem::absolute(b), none) ||
+           std::filesystem::equivalent(a, b, none);
+  };
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (same(files[i].second, files[j].second))
+        throw CLI::ValidationError(files[i].second.string(), "is the " + files[j].first + " and the " +
+                                                                 files[i].first + "; name another file");
+    }
+  }
+}
+
+std::filesystem::path summary_part(const std::filesystem::path& path) {
+  return path.string() + ".part";
+}
+
+// A summary that cannot be written is known before anything is simulated.
+void try_summary(const std::filesystem::path& path) {
+  if (path.empty()) return;
+  const std::filesystem::path part = summary_part(path);
+  write_durably(part, {});
+  std::filesystem::remove(part);
+}
+
 void write_summary(const std::filesystem::path& path, const Json& summary) {
   if (path.empty()) return;
-  const std::filesystem::path part = path.string() + ".part";
-  std::ofstream file(part);
-  file << summary.dump(2) << "\n";
-  file.close();
-  if (!file) throw IoError("cannot write " + part.string());
-  std::filesystem::rename(part, path);
+  const std::filesystem::path part = summary_part(path);
+  write_durably(part, summary.dump(2) + "\n");
+  rename_durably(part, path);
 }
 
 int run(const RunOptions& options) {
+  require_different_files(options);
   const Case c = read_case(options.case_file);
   if (!may_run(c, options.case_file, options.force)) return bad_parameters;
   catch_interrupts();
+  try_summary(options.summary_file);
   Hdf5File out(options.output_file);
   Progress progress;
   RunContext context{.out = out,
@@ -171,7 +213,12 @@ int command_line(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? done : bad_parameters;
   }
-  if (run_command->parsed()) return run(options);
+  try {
+    if (run_command->parsed()) return run(options);
+  } catch (const CLI::ValidationError& error) {
+    std::cerr << error.what() << "\n";
+    return bad_parameters;
+  }
   if (check_command->parsed()) return check(case_file, force_check);
   if (schema_command->parsed()) std::cout << case_schema().dump(2) << "\n";
   return done;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t compression_threshold = 64 * 1024;  // bytes
 constexpr std::size_t chunk_bytes = 1024 * 1024;
+constexpr std::size_t memory_increment = 4 * 1024 * 1024;
 constexpr unsigned gzip_level = 4;
 
 // Chunks of whole rows (of the slowest index) of about one MiB.
@@ -56,6 +57,9 @@ Hdf5File::Hdf5File(std::filesystem::path path) : path_(std::move(path)), part_(p
   require(H5Pset_obj_track_times(creation, false), what);
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, what);
   require(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST), what);
+  // In memory until it is complete: HDF5 (1.10) crashes at exit after a write that failed, on a full disk.
+  require(H5Pset_fapl_core(access, memory_increment, false), what);
+  write_durably(part_, {});
   file_ = H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, creation, access);
   if (file_ < 0) throw IoError(what);
 }
@@ -70,13 +74,14 @@ Hdf5File::~Hdf5File() {
 void Hdf5File::close() {
   if (file_ < 0) return;
   const bool flushed = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
+  const ssize_t size = flushed ? H5Fget_file_image(file_, nullptr, 0) : 0;
+  std::vector<char> image(static_cast<std::size_t>(std::max<ssize_t>(0, size)));
+  const bool complete = size > 0 && H5Fget_file_image(file_, image.data(), image.size()) == size;
   const bool closed = H5Fclose(file_) >= 0;
   file_ = -1;
-  if (!flushed || !closed) throw IoError("cannot complete " + part_.string() + " (is the disk full?)");
-  std::error_code error;
-  std::filesystem::rename(part_, path_, error);
-  if (error)
-    throw IoError("cannot rename " + part_.string() + " to " + path_.string() + ": " + error.message());
+  if (!complete || !closed) throw IoError("cannot complete " + part_.string() + " in memory");
+  write_durably(part_, image);
+  rename_durably(part_, path_);
 }
 
 void Hdf5File::write_raw(const std::string& name, const void* data, std::int64_t memory_type,

@@ -5,16 +5,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace dld {
+#include "output/durable_file.hpp"
 
-/// A file could not be read or written (exit code 4).
-struct IoError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+namespace dld {
 
 using Shape = std::vector<std::size_t>;
 

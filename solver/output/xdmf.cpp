@@ -1,8 +1,8 @@
 #include "output/xdmf.hpp"
 
 #include <cstdio>
-#include <fstream>
 #include <span>
+#include <sstream>
 
 #include "output/hdf5_file.hpp"
 
@@ -81,12 +81,14 @@ void write_xdmf(const std::filesystem::path& hdf5_path, const XdmfDescription& d
   std::filesystem::path path = hdf5_path;
   path.replace_extension(".xdmf");
   const std::string file = hdf5_path.filename().string() + ":";
-  std::ofstream out(path);
+  std::ostringstream out;
   out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n";
   if (description.mesh) write_mesh(out, file, *description.mesh);
   if (description.flow) write_flow(out, file, *description.flow);
   out << "</Domain>\n</Xdmf>\n";
-  if (!out.flush()) throw IoError("cannot write " + path.string());
+  const std::filesystem::path part = path.string() + ".part";
+  write_durably(part, out.str());
+  rename_durably(part, path);
 }
 
 }  // namespace dld

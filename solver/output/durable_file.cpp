@@ -1,0 +1,49 @@
+#include "output/durable_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace dld {
+namespace {
+
+/// All bytes, also after a signal; false with errno set if the disk takes no more.
+bool write_all(int file, std::span<const char> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) return false;
+    if (written > 0) bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return ::fsync(file) == 0;
+}
+
+}  // namespace
+
+void write_durably(const std::filesystem::path& path, std::span<const char> bytes) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0)
+    throw IoError("cannot create " + path.string() + ": " + std::strerror(errno) +
+                  " (does the folder exist, is it writable?)");
+  const bool good = write_all(file, bytes);
+  const int reason = errno;
+  const bool closed = ::close(file) == 0;
+  if (good && closed) return;
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  throw IoError("cannot write " + path.string() + ": " + std::strerror(good ? errno : reason));
+}
+
+void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::error_code error;
+  std::filesystem::rename(from, to, error);
+  if (error) throw IoError("cannot rename " + from.string() + " to " + to.string() + ": " + error.message());
+  const std::filesystem::path folder = to.has_parent_path() ? to.parent_path() : ".";
+  const int directory = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (directory < 0) return;  // some file systems have no folders to open: the name is as good as it gets
+  ::fsync(directory);
+  ::close(directory);
+}
+
+}  // namespace dld
