@@ -161,11 +161,12 @@ int run(const RunOptions& options) {
   write_xdmf(out.path(), context.xdmf);
   write_summary(options.summary_file, summary);
   if (status != Status::diverged) {
-    if (context.owns_checkpoint) std::filesystem::remove(context.checkpoint);
+    if (context.owns_checkpoint) Checkpoint::remove(context.checkpoint);
     return done;
   }
   if (context.owns_checkpoint) {
     std::filesystem::rename(context.checkpoint, options.output_file + ".last_good.checkpoint");
+    Checkpoint::remove(context.checkpoint);
   }
   explain_divergence(summary, out, context.owns_checkpoint);
   return diverged;

@@ -1,5 +1,6 @@
 #include "output/checkpoint.hpp"
 
+#include <ostream>
 #include <span>
 
 #include "output/hdf5_file.hpp"
@@ -62,11 +63,36 @@ void Checkpoint::save(const std::filesystem::path& path) const {
   file.set_compression(false);
   file.attribute("/", "case", case_text_);
   for (const auto& [name, value] : values_) save_value(file, name, value);
-  file.close();
+  // A second name for the last one, so that there is one at every moment.
+  std::filesystem::remove(previous(path));
+  std::error_code no_links;
+  if (std::filesystem::exists(path)) std::filesystem::create_hard_link(path, previous(path), no_links);
+  if (no_links) std::filesystem::copy_file(path, previous(path));
+  file.close_sealed();
 }
 
-std::optional<Checkpoint> Checkpoint::load(const std::filesystem::path& path, const std::string& case_text) {
-  if (!std::filesystem::exists(path)) return std::nullopt;
+std::filesystem::path Checkpoint::previous(const std::filesystem::path& path) {
+  return path.string() + ".previous";
+}
+
+void Checkpoint::remove(const std::filesystem::path& path) {
+  for (const auto& file : {path, previous(path)}) std::filesystem::remove(file);
+}
+
+std::optional<Checkpoint> Checkpoint::load(const std::filesystem::path& path, const std::string& case_text,
+                                           std::ostream& log) {
+  for (const auto& file : {path, previous(path)}) {
+    if (!std::filesystem::exists(file)) continue;
+    if (Hdf5File::seal_holds(file)) return read(file, case_text);
+    const std::filesystem::path aside = file.string() + ".damaged";
+    std::filesystem::rename(file, aside);
+    log << file.string() << " is damaged: put aside as " << aside.string()
+        << ", the run goes on from the state before it or from the start\n";
+  }
+  return std::nullopt;
+}
+
+Checkpoint Checkpoint::read(const std::filesystem::path& path, const std::string& case_text) {
   const Hdf5Reader file(path);
   if (file.text_attribute("/", "case") != case_text) throw CheckpointMismatch(path);
   Checkpoint checkpoint(case_text);

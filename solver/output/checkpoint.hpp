@@ -2,6 +2,7 @@
 /// State of an unfinished run: named arrays and texts in one HDF5 file.
 #include <cstdint>
 #include <filesystem>
+#include <iosfwd>
 #include <map>
 #include <optional>
 #include <string>
@@ -35,13 +36,19 @@ class Checkpoint {
   const T& get(const std::string& name) const;
   std::int64_t integer(const std::string& name) const;  ///< a single integer
 
-  /// Written aside and renamed: an interrupted save leaves the previous checkpoint.
+  /// Written aside, sealed and renamed; the checkpoint before it is kept as "<path>.previous".
   void save(const std::filesystem::path& path) const;
-  /// Nothing if there is no such file; CheckpointMismatch if it belongs to another case, IoError if it is
-  /// damaged.
-  static std::optional<Checkpoint> load(const std::filesystem::path& path, const std::string& case_text);
+  /// The last checkpoint whose seal holds, nothing without one. A damaged one is put aside as
+  /// "<path>.damaged" and said so in the log. CheckpointMismatch if it belongs to another case or build.
+  static std::optional<Checkpoint> load(const std::filesystem::path& path, const std::string& case_text,
+                                        std::ostream& log);
+  /// Removes a checkpoint and the one before it.
+  static void remove(const std::filesystem::path& path);
 
  private:
+  static Checkpoint read(const std::filesystem::path& path, const std::string& case_text);
+  static std::filesystem::path previous(const std::filesystem::path& path);
+
   std::string case_text_;
   std::map<std::string, Value> values_;
 };

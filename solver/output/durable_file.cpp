@@ -5,6 +5,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 
 namespace dld {
 namespace {
@@ -19,10 +21,8 @@ bool write_all(int file, std::span<const char> bytes) {
   return ::fsync(file) == 0;
 }
 
-}  // namespace
-
-void write_durably(const std::filesystem::path& path, std::span<const char> bytes) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+void write_durably(const std::filesystem::path& path, std::span<const char> bytes, int mode) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | mode, 0666);
   if (file < 0)
     throw IoError("cannot create " + path.string() + ": " + std::strerror(errno) +
                   " (does the folder exist, is it writable?)");
@@ -33,6 +33,29 @@ void write_durably(const std::filesystem::path& path, std::span<const char> byte
   std::error_code ignored;
   std::filesystem::remove(path, ignored);
   throw IoError("cannot write " + path.string() + ": " + std::strerror(good ? errno : reason));
+}
+
+}  // namespace
+
+void write_durably(const std::filesystem::path& path, std::span<const char> bytes) {
+  write_durably(path, bytes, O_TRUNC);
+}
+
+void append_durably(const std::filesystem::path& path, std::span<const char> bytes) {
+  write_durably(path, bytes, O_APPEND);
+}
+
+std::vector<char> read_bytes(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw IoError("cannot read " + path.string());
+  return bytes;
+}
+
+std::uint64_t checksum(std::span<const char> bytes) {
+  std::uint64_t sum = 0xcbf29ce484222325;
+  for (const char byte : bytes) sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+  return sum;
 }
 
 void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to) {

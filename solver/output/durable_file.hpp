@@ -1,8 +1,10 @@
 #pragma once
 /// Files that are there completely or not at all, whatever happens to the machine.
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <stdexcept>
+#include <vector>
 
 namespace dld {
 
@@ -14,6 +16,15 @@ struct IoError : std::runtime_error {
 /// Writes the bytes and waits until the disk has them. Throws IoError, and removes what there is, if it
 /// cannot.
 void write_durably(const std::filesystem::path& path, std::span<const char> bytes);
+
+/// The same at the end of a file, whose other bytes the disk has then, too.
+void append_durably(const std::filesystem::path& path, std::span<const char> bytes);
+
+/// All bytes of a file. Throws IoError.
+std::vector<char> read_bytes(const std::filesystem::path& path);
+
+/// Checksum over every byte (FNV-1a, 64 bits): tells a damaged file, not a forged one.
+std::uint64_t checksum(std::span<const char> bytes);
 
 /// Gives a file that the disk has the place of another, and waits until the disk knows. Throws IoError.
 void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to);

@@ -1,8 +1,10 @@
 #include "output/hdf5_file.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 #include <numeric>
+#include <string_view>
 
 #include "output/hdf5_handle.hpp"
 
@@ -11,7 +13,6 @@ namespace {
 
 constexpr std::size_t compression_threshold = 64 * 1024;  // bytes
 constexpr std::size_t chunk_bytes = 1024 * 1024;
-constexpr std::size_t memory_increment = 4 * 1024 * 1024;
 constexpr unsigned gzip_level = 4;
 
 // Chunks of whole rows (of the slowest index) of about one MiB.
@@ -20,6 +21,15 @@ std::vector<hsize_t> chunk_shape(const std::vector<hsize_t>& dims, std::size_t b
   const std::size_t row_bytes = std::max<std::size_t>(1, bytes_total / dims[0]);
   chunk[0] = std::clamp<hsize_t>(chunk_bytes / row_bytes, 1, dims[0]);
   return chunk;
+}
+
+/// Version, length and checksum of the data before it, always of one length.
+constexpr std::size_t seal_length = 44;
+std::string seal_of(std::span<const char> data) {
+  char text[seal_length + 1];
+  std::snprintf(text, sizeof text, "\ndld seal %016zx %016llx\n", data.size(),
+                static_cast<unsigned long long>(checksum(data)));
+  return text;
 }
 
 void write_attribute(hid_t file, const std::string& object, const std::string& name, hid_t type,
@@ -57,9 +67,6 @@ Hdf5File::Hdf5File(std::filesystem::path path) : path_(std::move(path)), part_(p
   require(H5Pset_obj_track_times(creation, false), what);
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, what);
   require(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST), what);
-  // In memory until it is complete: HDF5 (1.10) crashes at exit after a write that failed, on a full disk.
-  require(H5Pset_fapl_core(access, memory_increment, false), what);
-  write_durably(part_, {});
   file_ = H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, creation, access);
   if (file_ < 0) throw IoError(what);
 }
@@ -71,16 +78,24 @@ Hdf5File::~Hdf5File() {
   std::filesystem::remove(part_, ignored);
 }
 
-void Hdf5File::close() {
+bool Hdf5File::seal_holds(const std::filesystem::path& path) {
+  const std::vector<char> bytes = read_bytes(path);
+  if (bytes.size() < seal_length) return false;
+  const std::span<const char> data(bytes.data(), bytes.size() - seal_length);
+  return std::string_view(bytes.data() + data.size(), seal_length) == seal_of(data);
+}
+
+void Hdf5File::close(Ending ending) {
   if (file_ < 0) return;
   const bool flushed = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
-  const ssize_t size = flushed ? H5Fget_file_image(file_, nullptr, 0) : 0;
-  std::vector<char> image(static_cast<std::size_t>(std::max<ssize_t>(0, size)));
-  const bool complete = size > 0 && H5Fget_file_image(file_, image.data(), image.size()) == size;
   const bool closed = H5Fclose(file_) >= 0;
   file_ = -1;
-  if (!complete || !closed) throw IoError("cannot complete " + part_.string() + " in memory");
-  write_durably(part_, image);
+  if (!flushed || !closed) {
+    std::error_code ignored;
+    std::filesystem::remove(part_, ignored);
+    throw IoError("cannot complete " + part_.string() + " (is the disk full?)");
+  }
+  append_durably(part_, ending == Ending::sealed ? seal_of(read_bytes(part_)) : "");
   rename_durably(part_, path_);
 }
 

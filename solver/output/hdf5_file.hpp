@@ -69,11 +69,17 @@ class Hdf5File {
   void set_compression(bool on) { compress_ = on; }
 
   /// Completes the file and gives it its final name.
-  void close();
+  void close() { close(Ending::plain); }
+  /// The same with a seal behind the HDF5 data, which readers of HDF5 pass over: see seal_holds.
+  void close_sealed() { close(Ending::sealed); }
+  /// Whether a file was closed with a seal and has every byte that it had then.
+  static bool seal_holds(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  enum class Ending { plain, sealed };
+  void close(Ending ending);
   void write_raw(const std::string& name, const void* data, std::int64_t memory_type,
                  std::size_t bytes_per_value, std::size_t count, const Shape& shape);
 

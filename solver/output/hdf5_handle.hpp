@@ -58,6 +58,7 @@ inline hid_t native_type<std::uint8_t>() {
 
 /// The library prints its own error stack by default; our exceptions say what failed.
 inline void silence_hdf5() {
+  H5dont_atexit();  // HDF5 (1.10) crashes at exit after a write that failed; every file is closed before
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 

@@ -11,6 +11,10 @@ struct BuildInfo {
 };
 const BuildInfo& build_info();
 
+/// Tells this program from any other build, of the same commit too: commit, compiler, flags, and a checksum
+/// over the program's own file where the system shows it.
+std::string build_fingerprint();
+
 /// {"program", "version", "git_commit", "compiler", "flags", ..., "libraries": {...}, "threads"}
 nlohmann::ordered_json provenance(int threads);
 

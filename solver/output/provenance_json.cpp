@@ -1,8 +1,10 @@
 #include <hdf5.h>
 
 #include <Eigen/Core>
+#include <filesystem>
 #include <string>
 
+#include "output/durable_file.hpp"
 #include "output/provenance.hpp"
 
 namespace dld {
@@ -13,6 +15,18 @@ std::string version_text(unsigned major, unsigned minor, unsigned patch) {
 }
 
 }  // namespace
+
+std::string build_fingerprint() {
+  static const std::string text = [] {
+    const BuildInfo& build = build_info();
+    std::string all = build.git_commit + " " + build.compiler + " " + build.flags;
+    std::error_code none;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
+    if (!none) all += " " + std::to_string(checksum(read_bytes(program)));
+    return all;
+  }();
+  return text;
+}
 
 nlohmann::ordered_json provenance(int threads) {
   unsigned major = 0, minor = 0, release = 0;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 
 #include "coupling/coupled_cell.hpp"
 #include "measure/cross_section.hpp"
@@ -217,7 +218,7 @@ class PassageRun {
   }
 
   /// Case and build: another build may keep its populations in another order.
-  std::string identity() const { return echo(case_).dump() + build_info().git_commit; }
+  std::string identity() const { return echo(case_).dump() + build_fingerprint(); }
 
   /// Between two pillar lines nothing is half measured: the state is the fluid, the cell and the tables.
   /// Saved when all of a step is done, so that the run that resumes misses none of it.
@@ -243,7 +244,7 @@ class PassageRun {
   /// the same commit can still differ in the layout of their arrays.
   void load_checkpoint() {
     if (!context_.resume) return;
-    saved_ = Checkpoint::load(context_.checkpoint, identity());
+    saved_ = Checkpoint::load(context_.checkpoint, identity(), std::cerr);
     if (!saved_) return;
     const bool fits = saved_->get<std::vector<Real>>("populations").size() == lattice_.populations().size() &&
                       static_cast<Eigen::Index>(saved_->get<std::vector<double>>("positions").size()) ==

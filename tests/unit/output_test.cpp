@@ -144,7 +144,8 @@ TEST_F(Output, CheckpointComesBack) {
   saved.set("time", 0.1);
   saved.set("state", std::string("row 3"));
   saved.save(path);
-  const auto loaded = Checkpoint::load(path, "{\"scene\":\"passage\"}");
+  std::ostringstream log;
+  const auto loaded = Checkpoint::load(path, "{\"scene\":\"passage\"}", log);
   ASSERT_TRUE(loaded.has_value());
   EXPECT_EQ(loaded->get<std::vector<float>>("populations"), (std::vector<float>{0.1f, 0.2f}));
   EXPECT_EQ(loaded->get<std::vector<double>>("vertices").at(0), std::nextafter(1.0, 2.0));
@@ -156,12 +157,42 @@ TEST_F(Output, CheckpointComesBack) {
 }
 
 TEST_F(Output, CheckpointOfAnotherCaseIsRefused) {
-  const fs::path path = folder_ / "run.checkpoint";
+  const auto path = folder_ / "run.checkpoint";
+  std::ostringstream log;
   Checkpoint("one").save(path);
-  EXPECT_THROW(Checkpoint::load(path, "two"), CheckpointMismatch);
-  EXPECT_FALSE(Checkpoint::load(folder_ / "absent", "one").has_value());
-  std::ofstream(folder_ / "damaged") << "not HDF5";
-  EXPECT_THROW(Checkpoint::load(folder_ / "damaged", "one"), IoError);
+  EXPECT_THROW(Checkpoint::load(path, "two", log), CheckpointMismatch);
+  EXPECT_TRUE(std::filesystem::exists(path));
+  EXPECT_FALSE(Checkpoint::load(folder_ / "absent", "one", log).has_value());
+}
+
+/// Every byte of a checkpoint is under its seal: whichever is changed, the state before it is taken.
+TEST_F(Output, DamagedCheckpointIsPutAsideForTheOneBefore) {
+  const auto path = folder_ / "run.checkpoint";
+  Checkpoint state("case");
+  state.set("row", std::int64_t{1});
+  state.save(path);
+  state.set("row", std::int64_t{2});
+  state.save(path);
+  const std::vector<char> good = read_bytes(path);
+  const auto row_after = [&](const std::vector<char>& bytes) {
+    write_durably(path, bytes);
+    std::ostringstream log;
+    const auto loaded = Checkpoint::load(path, "case", log);
+    EXPECT_EQ(log.str().find("run.checkpoint is damaged") != std::string::npos, bytes != good);
+    return loaded ? loaded->integer("row") : -1;
+  };
+  EXPECT_EQ(row_after(good), 2);
+  for (std::size_t i = 0; i < good.size(); i += good.size() / 97) {
+    std::vector<char> bytes = good;
+    bytes[i] = static_cast<char>(bytes[i] ^ 4);
+    EXPECT_EQ(row_after(bytes), 1) << "byte " << i;
+  }
+  for (const std::size_t length : {std::size_t{0}, std::size_t{10}, good.size() / 2, good.size() - 1}) {
+    EXPECT_EQ(row_after({good.begin(), good.begin() + static_cast<long>(length)}), 1) << length;
+  }
+  Checkpoint::remove(path);
+  std::ostringstream log;
+  EXPECT_FALSE(Checkpoint::load(path, "case", log).has_value());
 }
 
 TEST_F(Output, XdmfNamesTheDatasets) {

@@ -8,7 +8,9 @@ from pathlib import Path
 
 import pandas as pd
 import pytest
-from study import manuscript
+from study import article_tables, manuscript
+from study.boundary import UNDISPUTED
+from study.plan import read_json
 
 ROOT = Path(__file__).resolve().parents[2]
 PAPER = ROOT / "paper"
@@ -118,6 +120,84 @@ def test_numbers_are_looked_up():
     assert value(where={"name": "law/*"}, column="low", reduce="range", format=".0f") == "3--17"
     assert value(where={"name": "law/*"}, column="name", reduce="count", format=".0f") == "2"
     assert value(where=row, column="name", words={"law/a": "first"}) == "first"
+
+
+def test_rows_that_match_one_of_several_conditions_are_counted_once():
+    where = [{"name": "law/a", "parameter": ["A", "B"]}, {"parameter": "B"}]
+    assert value(where=where, column="parameter", reduce="count", format=".0f") == "2"
+    assert value(where=where, column="low", reduce="range", format=".0f") == "17"
+    assert value(where=[{"name": "law/c"}]) == manuscript.MISSING
+
+
+def test_an_entry_of_a_list_is_found_by_a_number():
+    document = {"claims": [{"d": 4.4, "ca": 1.2}, {"d": 6.0, "ca": 0.5}]}
+    assert manuscript.at_pointer(document, "/claims/d=6.0/ca") == 0.5
+    assert manuscript.at_pointer(document, "/claims/d=5.2/ca") is None
+
+
+PRINTED = read_json(ROOT / "params/claims.json")
+CASE = read_json(ROOT / "workflow/schemas/case.schema.json")
+VERDICTS = pd.DataFrame(
+    {
+        "verdict": ["REPRODUCED", "REPRODUCED", "NOT RUN"],
+        "verdict_corrected": ["NOT REPRODUCED", "NOT RUN", "NOT RUN"],
+    }
+)
+
+
+def test_the_boundary_stands_beside_the_printed_law_and_classes():
+    boundary = {"series": "default", "row_shift_um": [2.0, 6.8], UNDISPUTED[0]: 1.0, UNDISPUTED[1]: 2.0}
+    boundary = pd.DataFrame(boundary)
+    made = article_tables.article_tables({"claims": VERDICTS, "phase_boundary": boundary}, PRINTED, CASE)
+    rows = made["phase_boundary"].set_index(["series", "row_shift_um"])[UNDISPUTED]
+    assert rows.loc[("eq-5", 6.8)].round(3).tolist() == [0.189, 0.189]
+    assert rows.loc[("eq-5", 2.0)].isna().all()
+    assert rows.loc[("text", 6.8)].tolist() == [0.15, 0.3]
+    assert ("text", 8.0) not in rows.index
+    text = manuscript.table(DECLARED["tables"]["boundary"], made)
+    assert r"6.8 & 0.19 & 0.15--0.3 & 1.00--2.00 & " in text
+
+
+def test_extents_stand_beside_the_print_and_the_tweezer():
+    passages = pd.DataFrame({"sweep": ["grid", "corrected", "grid"], "row_shift_um": [6.8, 6.8, 2.0]})
+    passages = passages.assign(capillary_number=[0.15, 0.15, 0.3], d_perp_um=[6.0, 6.1, 9.0])
+    predictions = passages.assign(tweezer_um=6.5)
+    made = article_tables.extents(passages, predictions, article_tables.claim_of(PRINTED, "d-perp-6.8"))
+    text = manuscript.table(DECLARED["tables"]["extents"], {"extents": made})
+    assert r"0.15 & 6.7 & 6.50 & 6.00 & 6.10 & " in text
+    assert "9.00" not in text and "0.30 & " not in text  # another row shift, no cell of the default
+
+
+def test_grades_are_counted_by_reading():
+    made = article_tables.grades_by_reading(VERDICTS, PRINTED["readings"]).set_index("reading")
+    assert list(made.index) == ["default", "corrected"]
+    assert made.loc["default", ["REPRODUCED", "NOT RUN"]].tolist() == [2, 1]
+    assert made.loc["corrected", ["REPRODUCED", "NOT REPRODUCED", "NOT RUN"]].tolist() == [0, 1, 2]
+
+
+def test_the_fold_of_a_healthy_cell_has_its_modulus():
+    laws = pd.DataFrame({"law": ["hinge_half"], "fold_modulus_ratio": [1.5]})
+    made = article_tables.with_moduli(laws, CASE).iloc[0]
+    assert made.stated_modulus_Nm == pytest.approx(2.0e-19, rel=0.01)
+    assert made.fold_modulus_Nm == pytest.approx(3.0e-19, rel=0.01)
+
+
+def test_the_cells_of_the_print_are_those_whose_class_it_states():
+    """Every cell is named once as displaced or zigzag, in accordance with the classes that the boundary is
+    judged by."""
+    entries = {one["key"]: one for group in DECLARED["numbers"] for one in manuscript.expanded(group)}
+    shifts, numbers = [2.0, 4.4, 5.2, 6.0, 6.8, 8.0, 8.8], [0.1, 0.15, 0.3, 0.5, 0.7, 1.2]
+    cells = pd.DataFrame([{"row_shift_um": d, "capillary_number": ca} for d in shifts for ca in numbers])
+    claim = article_tables.claim_of(PRINTED, "phase-boundary")
+    said = {one["row_shift_um"]: one for one in claim["statements"]}
+    classes = []
+    for row in cells.itertuples():
+        low, high = (said[row.row_shift_um][name] for name in ("displaced_to", "zigzag_from"))
+        displaced, zigzag = low and row.capillary_number <= low, high and row.capillary_number >= high
+        classes.append("displaced" if displaced else "zigzag" if zigzag else "none")
+    table = {"passages": cells.assign(sweep="grid", run=cells.index.astype(str), **{"class": classes})}
+    found = [manuscript.number(entries[f"cells/grid/{name}"], table, {}) for name in ("all", "as-printed")]
+    assert found == ["34", "34"]
 
 
 def test_what_a_tier_lacks_is_missing_and_a_slip_is_an_error():

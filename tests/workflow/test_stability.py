@@ -199,18 +199,31 @@ def test_an_interrupted_passage_goes_on_where_it_was(tmp_path):
 
 
 @needs_solver
-def test_a_checkpoint_of_something_else_is_refused_and_left_alone(tmp_path):
-    case, out = write_case(tmp_path), tmp_path / "run.h5"
+def test_a_checkpoint_of_another_case_is_refused_and_left_alone(tmp_path):
+    case, out = write_case(tmp_path, stop={"max_rows": 5}), tmp_path / "run.h5"
     checkpoint = tmp_path / "run.h5.checkpoint"
-    with h5py.File(checkpoint, "w") as file:
-        file.attrs["case"] = "another one"
+    with subprocess.Popen([DLD, "run", case, out], stderr=subprocess.DEVNULL) as running:
+        while rows_passed(checkpoint) < 1 and running.poll() is None:
+            time.sleep(0.01)
+        running.kill()
     before = checkpoint.read_bytes()
-    refused = solver("run", case, out)
+    other = write_case(tmp_path, stop={"max_rows": 6})
+    refused = solver("run", other, out)
     assert refused.returncode == 5 and "--no-resume" in refused.stderr
     flow = tmp_path / "flow.json"
     flow.write_text('{"scene": "channel"}', encoding="utf-8")
     assert solver("run", flow, out).returncode == 0
     assert checkpoint.read_bytes() == before
+
+
+@needs_solver
+def test_a_damaged_checkpoint_is_put_aside(tmp_path):
+    case, out = write_case(tmp_path), tmp_path / "run.h5"
+    (tmp_path / "run.h5.checkpoint").write_bytes(b"no checkpoint")
+    done = solver("run", case, out)
+    assert done.returncode == 0 and "is damaged: put aside" in done.stderr
+    assert (tmp_path / "run.h5.checkpoint.damaged").read_bytes() == b"no checkpoint"
+    assert not (tmp_path / "run.h5.checkpoint").exists()
 
 
 @needs_solver
