@@ -247,10 +247,16 @@ def generated(results, call, root, tmp_path_factory):
         brackets=results / "brackets",
         output=flow.with_name("passages.csv"),
     )
-    verdicts = folder / "claims.csv"
+    tables, verdicts = folder / "tables", folder / "claims.csv"
+    shutil.copytree(results / "tables", tables)
+    known = {"plan": results / "plan.json", "brackets": results / "brackets"}
+    call("boundary_uncertainty", **known, output=tables / "boundary_uncertainty.csv")
+    laws = ["law,prefactor,fold_modulus_ratio,sphere_ratio,squeeze_anisotropy,mesh_frequency"]
+    laws += [f"{law},0.9,1.5,0.5,0.3,40" for law in ("hinge_sphere", "hinge_half", "mean_curvature")]
+    (tables / "bending_laws.csv").write_text("\n".join(laws) + "\n")
     names = ["id", "claim", "where", "paper_value", "measured", "note", "explanation", "verdict"]
     verdicts.write_text(f"{','.join(names)}\nreynolds,Re,here,1,2,,,NOT RUN\n")
-    given = {"declared": PAPER / "numbers.toml", "tables": results / "tables", "verdicts": verdicts}
+    given = {"declared": PAPER / "numbers.toml", "tables": tables, "verdicts": verdicts}
     given |= {"claims": claims, "case-schema": root / "workflow/schemas/case.schema.json"}
     call("paper_numbers", **given, plan=results / "plan.json", results=results, output=folder)
     return folder
@@ -261,6 +267,8 @@ def test_generated_numbers_follow_the_tables(generated, results):
     found = dict(re.findall(r"\\definevalue\{([^}]+)\}\{(.*)\}", text))
     assert found["verdict/reynolds"] == "NOT RUN"
     assert found["verdict/tweezer"] == manuscript.MISSING
+    assert found["bending/hinge_half/fold_modulus_Nm"] == r"\ensuremath{3.0\times10^{-19}}"
+    assert found["class/grid/4.4/1.2"] == manuscript.MISSING  # a tier without the cells of the print
     assert found["passages/all"] == str(pd.read_csv(results / "tables/passages.csv").run.nunique())
 
 

@@ -254,15 +254,21 @@ def test_check_reports_the_margin_to_every_limit_and_the_preset(tmp_path):
 
 
 def critical_capillary_percent(preset):
-    """How far the middle of the bracket at d = 6.8 um is from that of `reference`, None where it has none."""
+    """How far the middle of the bracket at d = 6.8 um is from that of `reference`; None where one of both has
+    none, or the latter is wider than a tenth."""
     series = {"standard": "default", "corrected": "corrected", "refined": "refined"}
     if preset not in series:
         return None
-    tables = (ROOT / f"results/tables/{name}.csv" for name in ("phase_boundary", "boundary_uncertainty"))
-    table = pd.concat([pd.read_csv(path) for path in tables])
+    paths = [ROOT / f"results/tables/{name}.csv" for name in ("phase_boundary", "boundary_uncertainty")]
+    if not paths[1].exists():
+        pytest.skip("the target `uncertainty` was not made")
+    table = pd.concat([pd.read_csv(path) for path in paths])
     brackets = table[table.row_shift_um == 6.8].drop_duplicates("series").set_index("series")
     middle = np.sqrt(brackets[UNDISPUTED].prod(axis=1, skipna=False))
-    return 100 * abs(middle[series[preset]] / middle["reference"] - 1)
+    if brackets[UNDISPUTED[1]]["reference"] > 1.1 * brackets[UNDISPUTED[0]]["reference"]:
+        return None
+    percent = 100 * abs(middle[series[preset]] / middle["reference"] - 1)
+    return None if np.isnan(percent) else percent
 
 
 @needs_solver
@@ -275,9 +281,9 @@ def test_the_expected_error_of_a_preset_is_that_of_the_table(tmp_path, name):
     rows = table[(table.method == "preset") & (table.setting == name) & (table.point == "all")]
     measured = 100 * rows.set_index("error_kind").error
     # Two digits are stated, so at most 5 % are lost.
+    assert stated["d_perp_percent"] == pytest.approx(measured["D_perp, relative"], rel=0.05)
+    assert stated["centre_percent"] == pytest.approx(measured["centre, relative"], rel=0.05)
     critical = critical_capillary_percent(name)
     assert stated["critical_capillary_percent"] == (
         "not measured" if critical is None else pytest.approx(critical, rel=0.05)
     )
-    assert stated["d_perp_percent"] == pytest.approx(measured["D_perp, relative"], rel=0.05)
-    assert stated["centre_percent"] == pytest.approx(measured["centre, relative"], rel=0.05)
