@@ -268,7 +268,8 @@ def test_generated_numbers_follow_the_tables(generated, results):
     assert found["verdict/reynolds"] == "NOT RUN"
     assert found["verdict/tweezer"] == manuscript.MISSING
     assert found["bending/hinge_half/fold_modulus_Nm"] == r"\ensuremath{3.0\times10^{-19}}"
-    assert found["class/grid/4.4/1.2"] == manuscript.MISSING  # a tier without the cells of the print
+    missing = found["class/grid/4.4/1.2"] == manuscript.MISSING
+    assert missing == ("smoke" in results.name)  # a tier without the cells of the print
     assert found["passages/all"] == str(pd.read_csv(results / "tables/passages.csv").run.nunique())
 
 

@@ -22,7 +22,12 @@ with open("paper/numbers.toml", "rb") as file:
 rule paper_numbers:
     input:
         declared="paper/numbers.toml",
-        tables=FLOW_TABLES + STRETCHING_TABLES + BOUNDARY_TABLES + PASSAGE_TABLES + SENSITIVITY_TABLES,
+        tables=FLOW_TABLES
+        + MEMBRANE_TABLES
+        + STRETCHING_TABLES
+        + BOUNDARY_TABLES
+        + PASSAGE_TABLES
+        + SENSITIVITY_TABLES,
         verdicts=rules.claims.output.csv,
         claims=CLAIMS,
         schema="workflow/schemas/case.schema.json",

@@ -1,5 +1,5 @@
-"""Fits d = a + b exp(-c Ca) to the boundary of every series, of its limit and of the paper's own statements,
-and joins them to the fits of the separation law."""
+"""Fits d = a + b exp(-c Ca) to the boundary of every series and of the paper's own statements, and
+joins them to the fits of the separation law."""
 
 import numpy as np
 import pandas as pd

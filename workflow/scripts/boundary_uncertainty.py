@@ -1,7 +1,7 @@
 """How sure the critical capillary number is: its bracket with one thing changed at a time, beside the bracket
-of the series that the change is made to, at the row shifts of the target `uncertainty`. Brackets reach as far
-as passages contradict one another. The change is that of the middles (in ln Ca); it lies between the least
-and the most that the two brackets allow."""
+of the series that the change is made to, at the row shifts of the target `uncertainty`. The undisputed ends
+reach as far as passages contradict one another. The change is that of their middles (in ln Ca); it lies
+between the least and the most that the two brackets allow."""
 
 import math
 from pathlib import Path
@@ -13,9 +13,12 @@ from study.tables import write_table
 
 REFERENCE = ["reference_displaced", "reference_zigzag"]
 CHANGES = ["change_percent", "least_change_percent", "most_change_percent"]
-COLUMNS = ["row_shift_um", "cause", "setting", *UNDISPUTED, "undecided_inside"]
+ENDS = ["ca_displaced", "ca_zigzag"]
+COLUMNS = ["row_shift_um", "cause", "setting", *ENDS, *UNDISPUTED, "undecided_inside"]
 COLUMNS += ["series", "reference", *REFERENCE, *CHANGES, "runs"]
-STYLES = dict.fromkeys(["row_shift_um", *CHANGES], ".1f") | dict.fromkeys([*UNDISPUTED, *REFERENCE], ".4g")
+STYLES = dict.fromkeys(["row_shift_um", *CHANGES], ".1f") | dict.fromkeys(
+    [*ENDS, *UNDISPUTED, *REFERENCE], ".4g"
+)
 
 
 def states_of(plan, folder):
@@ -62,6 +65,8 @@ def rows_of(row, states, shifts):
             | changes(*ends, *unchanged)
             | {
                 "row_shift_um": shift,
+                "ca_displaced": state["low"],
+                "ca_zigzag": state["high"],
                 "undecided_inside": state["undecided_inside"],
                 "runs": " ".join(point["run"] for point in state["points"]),
             }

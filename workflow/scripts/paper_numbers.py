@@ -5,6 +5,7 @@ import json
 import tomllib
 from pathlib import Path
 
+from study.article_tables import article_tables
 from study.manuscript import numbers, table
 from study.plan import read_json
 from study.tables import read_table
@@ -39,6 +40,7 @@ def main():
     tables = loaded_tables(arguments.tables, arguments.verdicts)
     documents = {"printed": read_json(arguments.claims), "plan": read_json(arguments.plan)}
     documents["case"] = json.loads(Path(arguments.case_schema).read_text(encoding="utf-8"))
+    tables = article_tables(tables, documents["printed"], documents["case"])
     output = Path(arguments.output)
     output.mkdir(parents=True, exist_ok=True)
     found = numbers(declared["numbers"], tables, documents)

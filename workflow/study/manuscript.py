@@ -1,7 +1,8 @@
 """Numbers and tables of the article, looked up in the results as paper/numbers.toml declares them.
 
-Nothing is computed here but counts, means and ranges: what needs a formula belongs in a table of the study.
-A row that a tier lacks gives MISSING; a name that no table has is an error, so that a slip of the pen shows.
+Nothing is computed here but counts, means and ranges: what needs a formula belongs in a table of the study,
+or in article_tables.py if it sets the print beside the results. A row that a tier lacks gives MISSING; a name
+that no table has is an error, so that a slip of the pen shows.
 """
 
 import math
@@ -61,7 +62,7 @@ def shown(value, style):
         return typeset(value)
     try:
         number = float(value)
-    except (TypeError, ValueError):  # such as `extrapolated` in a column of lattice spacings
+    except (TypeError, ValueError):  # text in a column of numbers
         return typeset(value)
     if name == "sci":
         return scientific(number, int(digits))
@@ -82,7 +83,9 @@ def matches(value, wanted):
 
 
 def select(frame, where):
-    """The rows that match every condition {column: wanted}."""
+    """The rows that match every condition {column: wanted}; of a list of such conditions one of them."""
+    if isinstance(where, list):
+        return frame[frame.index.isin([row for one in where for row in select(frame, one).index])]
     keep = pd.Series(True, index=frame.index)
     for column, wanted in where.items():
         if column not in frame:
@@ -113,7 +116,7 @@ def at_pointer(document, pointer):
     for step in pointer.strip("/").split("/"):
         key, _, wanted = step.partition("=")
         if isinstance(document, list) and wanted:
-            document = next((item for item in document if item.get(key) == wanted), None)
+            document = next((item for item in document if str(item.get(key)) == wanted), None)
         elif isinstance(document, list):
             document = document[int(step)] if int(step) < len(document) else None
         else:
