@@ -51,7 +51,7 @@ def test_the_view_of_the_default_is_its_own_tables():
 
 def test_a_sweep_stands_under_the_name_of_the_default_and_alone():
     rows = [passage("other", 6.8, number, "displaced", film_um=0.1) for number in NUMBERS]
-    seen = view(tables([*rows, passage("inertia", 6.8, 0.7), passage("grid-fine", 6.8, 0.7)]), OTHER)
+    seen = view(tables([*rows, passage("inertia", 6.8, 0.7), passage("grid-refined", 6.8, 0.7)]), OTHER)
     assert set(seen["passages"].sweep) == {"grid"}
     assert set(grid(seen).film_um) == {0.1}
     assert label_at(seen, 6.8, 1.5) == "displaced"

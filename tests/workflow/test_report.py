@@ -63,7 +63,7 @@ def test_the_page_stands_alone(page):
     assert [one for one in loaded if not one.startswith(("#", "data:"))] == []
     assert not re.search(r"@import|url\(|fetch\(|XMLHttpRequest|import\(", text)
     assert page.stat().st_size < 10e6
-    assert 'alt="Phase space: classes of the grid' in text
+    assert 'alt="Phase space: cells, the printed boundary' in text
 
 
 def test_the_page_shows_every_passage_and_verdict(page, make):

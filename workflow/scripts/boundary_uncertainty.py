@@ -8,6 +8,7 @@ from pathlib import Path
 
 from study.arguments import required_arguments
 from study.boundary import UNDISPUTED, undisputed
+from study.brackets import cut
 from study.plan import read_json
 from study.tables import write_table
 
@@ -58,6 +59,7 @@ def rows_of(row, states, shifts):
         if series != row["series"] or reference is None or shift not in shifts:
             continue
         ends, unchanged = (undisputed(one["points"]) for one in (state, reference))
+        displaced, zigzag, _ = cut(state["points"])
         brackets = dict(zip([*UNDISPUTED, *REFERENCE], [*ends, *unchanged], strict=True))
         yield (
             row
@@ -65,8 +67,8 @@ def rows_of(row, states, shifts):
             | changes(*ends, *unchanged)
             | {
                 "row_shift_um": shift,
-                "ca_displaced": state["low"],
-                "ca_zigzag": state["high"],
+                "ca_displaced": displaced,
+                "ca_zigzag": zigzag,
                 "undecided_inside": state["undecided_inside"],
                 "runs": " ".join(point["run"] for point in state["points"]),
             }

@@ -27,7 +27,9 @@ def lattice_error(tables, rows):
     """Largest change of D_perp between the paper's lattice and the finer one at common points, in words."""
     table = tables["passages"]
     fine = (
-        table[table.sweep == "grid-fine"].set_index(["row_shift_um", "capillary_number"]).d_perp_um.dropna()
+        table[table.sweep == "grid-refined"]
+        .set_index(["row_shift_um", "capillary_number"])
+        .d_perp_um.dropna()
     )
     coarse = rows.set_index(["row_shift_um", "capillary_number"]).d_perp_um.dropna()
     common = fine.index.intersection(coarse.index)
