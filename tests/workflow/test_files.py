@@ -2,25 +2,13 @@
 run or leaves what was there; names of a study reach no command. Where the solver is built."""
 
 import json
-import os
 import resource
 import signal
 import subprocess
-from pathlib import Path
 
 import pytest
+from short_passage import DLD, PASSAGE, needs_solver
 from study import plan as planning
-
-ROOT = Path(__file__).resolve().parents[2]
-DLD = Path(os.environ.get("DLD", ROOT / "build/dld"))
-needs_solver = pytest.mark.skipif(not DLD.exists(), reason="the solver is not built")
-PASSAGE = {
-    "scene": "passage",
-    "geometry": {"row_shift_um": 8.8},
-    "fluid": {"lattice_spacing_um": 0.8, "relaxation_time": 1.0, "force_density": 0.0009},
-    "cell": {"capillary_number": 0.7, "mesh_frequency": 5},
-    "stop": {"max_rows": 2},
-}
 
 
 def solver(folder, *words, **options):

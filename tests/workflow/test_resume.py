@@ -2,25 +2,16 @@
 has a state of its own. Where the solver is built."""
 
 import json
-import os
 import signal
 import subprocess
 import time
-from pathlib import Path
 
 import h5py
 import pytest
+from short_passage import DLD, PASSAGE, needs_solver
 from study.points import merged
 
-DLD = Path(os.environ.get("DLD", Path(__file__).resolve().parents[2] / "build/dld"))
-PASSAGE = {
-    "scene": "passage",
-    "geometry": {"row_shift_um": 8.8},
-    "fluid": {"lattice_spacing_um": 0.8, "relaxation_time": 1.0, "force_density": 0.0009},
-    "cell": {"capillary_number": 0.7, "mesh_frequency": 5},
-    "stop": {"max_rows": 3},
-    "output": {"snapshots_per_row": 4},
-}
+FOLLOWED = merged(PASSAGE, {"output": {"snapshots_per_row": 4}})
 OPTIONS = {
     "blocked": {"fluid": {"lateral_flow": "blocked"}},
     "free, one step per update": {"coupling": {"steps_per_update": 1}},
@@ -61,11 +52,11 @@ def killed_after_every_row(command, checkpoint):
         assert running.returncode == -signal.SIGKILL
 
 
-@pytest.mark.skipif(not DLD.exists(), reason="the solver is not built")
+@needs_solver
 @pytest.mark.parametrize("options", OPTIONS.values(), ids=OPTIONS)
 def test_a_killed_passage_ends_with_the_same_bytes(tmp_path, options):
     case = tmp_path / "case.json"
-    case.write_text(json.dumps(merged(PASSAGE, options)), encoding="utf-8")
+    case.write_text(json.dumps(merged(FOLLOWED, options)), encoding="utf-8")
     commands = {
         name: [DLD, "run", case, tmp_path / f"{name}.h5", "--summary", tmp_path / f"{name}.json", "--force"]
         for name in ("whole", "killed")
