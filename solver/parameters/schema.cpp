@@ -8,6 +8,10 @@
 namespace dld {
 namespace {
 
+/// Part of every run's identity in a study. Raise it with any change of the solver that changes results: all
+/// runs are then made again.
+constexpr int solver_model = 4;
+
 using Json = nlohmann::ordered_json;
 
 Json type_of(const Field& field) {
@@ -83,6 +87,7 @@ Json case_schema() {
   Json root = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                {"$id", "urn:dld:schema:case"},
                {"title", "One run of the solver dld"},
+               {"x-solver-model", solver_model},
                {"type", "object"},
                {"required", {"scene"}},
                {"additionalProperties", false},

@@ -20,7 +20,7 @@ def root():
 
 @pytest.fixture(scope="session")
 def study():
-    return planning.load_study(ROOT / "params/study.json")
+    return planning.load_study(ROOT / "params/studies/krueger2014.json")
 
 
 def make_run(case, plan, folder):
@@ -57,7 +57,7 @@ def make_bracket(definition, plan, folder):
 def results(request, tmp_path_factory):
     """Folder of a tier: its plan and made-up results of its runs and brackets; scripts write there too."""
     folder = tmp_path_factory.mktemp(request.param)
-    plan = planning.load_plan(ROOT / "params/study.json", request.param)
+    plan = planning.load_plan(ROOT / "params/studies/krueger2014.json", request.param)
     (folder / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
     for run in plan["runs"]:
         make_run(run["case"], plan, folder)

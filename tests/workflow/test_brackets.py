@@ -85,7 +85,7 @@ def test_the_programs_share_runs_and_run_nothing_for_a_finished_bracket(root, st
     """bracket_start, bracket_point and bracket_narrow with the made-up solver."""
     from study import plan as planning
 
-    plan = planning.load_plan(root / "params/study.json", "smoke")
+    plan = planning.load_plan(root / "params/studies/krueger2014.json", "smoke")
     (tmp_path / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
     dld = tmp_path / "dld"
     program = root / "tests/workflow/fake_solver.py"

@@ -8,7 +8,7 @@ from study.schedule import bracket_priority, expected_updates, run_priorities
 
 @pytest.fixture(scope="module")
 def plan(root):
-    return load_plan(root / "params/study.json", "paper")
+    return load_plan(root / "params/studies/krueger2014.json", "paper")
 
 
 def test_the_expected_work_is_that_of_the_committed_passages_to_a_factor_of_three(root, plan):

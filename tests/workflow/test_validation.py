@@ -11,7 +11,7 @@ from study.validation import load_json
 @pytest.fixture
 def raw(root):
     """The study as it stands in its file."""
-    return copy.deepcopy(planning.read_json(root / "params/study.json"))
+    return copy.deepcopy(planning.read_json(root / "params/studies/krueger2014.json"))
 
 
 @pytest.fixture

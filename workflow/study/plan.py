@@ -9,6 +9,7 @@ import json
 from pathlib import Path
 
 from study import points, stability
+from study.arrays import case_parts
 from study.brackets import AXES, at_value, off_axis
 from study.points import merged
 from study.validation import (
@@ -34,6 +35,12 @@ SECTIONS = {
     "shear": ["fluid", "cell", "coupling", "stop", "shear", "output"],
     "channel": ["geometry", "fluid", "stop", "channel", "output"],
 }
+
+#: (section, key, keys whose place it takes): two ways of saying the same, of which a case has one.
+ALTERNATIVES = [
+    ("geometry", "epsilon", ["row_shift_um"]),
+    ("geometry", "pillar", ["pillar_shape", "pillar_radius_um"]),
+]
 
 
 def read_json(path):
@@ -90,8 +97,12 @@ def resolved(case, case_schema):
     if found:
         raise ValueError("; ".join(found))
     full = with_defaults(with_preset(case, case_schema), case_schema)
-    if "epsilon" in case.get("geometry", {}):
-        full["geometry"].pop("row_shift_um", None)
+    for section, given, replaced in ALTERNATIVES:
+        if given in case.get(section, {}):
+            for key in replaced:
+                full[section].pop(key, None)
+    if "x_um" not in case.get("cell", {}).get("start", {}):
+        full["cell"]["start"]["x_um"] = -full["geometry"]["pitch_um"] / 2  # between two rows of any device
     return {"scene": full["scene"]} | {name: full[name] for name in SECTIONS[full["scene"]]}
 
 
@@ -124,7 +135,7 @@ def load_study(path):
         found = [
             (["tiers", name, *place], text)
             for name, tier in in_full["tiers"].items()
-            for place, text in inconsistencies(tier)
+            for place, text in inconsistencies(tier, study["devices"], study["cells"])
         ]
     if found:  # what a tier takes from another is wrong once, where it is written
         placed = {pointer(written_at(tiers, place)): text for place, text in reversed(found)}
@@ -135,8 +146,8 @@ def load_study(path):
 class _Planner:
     """Resolves and names the runs of a tier."""
 
-    def __init__(self, case_schema, solver_model):
-        self.case_schema, self.solver_model = case_schema, solver_model
+    def __init__(self, case_schema):
+        self.case_schema, self.solver_model = case_schema, case_schema["x-solver-model"]
 
     def all_of(self, sources, tier):
         """The runs of some sources; a ValueError that lists every case that is none."""
@@ -182,34 +193,59 @@ def _fingerprint(value):
     return hashlib.sha256(text.encode()).hexdigest()[:12]
 
 
+#: (section, source of runs known beforehand), in the order of the plan.
+SOURCES = [
+    ("streamlines", points.streamlines),
+    ("stokes", points.stokes),
+    ("stretching", points.stretching),
+    ("passages", points.passages),
+    ("sensitivity", points.sensitivity),
+    ("stability", stability.maps),
+    ("stability", stability.long_run),
+]
+#: The same for brackets, whose runs come while they narrow.
+BRACKET_SOURCES = [
+    ("boundary", points.boundary_brackets),
+    ("sensitivity", points.sensitivity_brackets),
+    ("uncertainty", points.uncertainty_brackets),
+]
+#: Last, so that the brackets do not wait for runs that only the target `accuracy` needs.
+LATE_SOURCES = [("accuracy", points.accuracy), ("accuracy", points.settings_check)]
+
+
+def _present(tier, sources):
+    """The sources whose section the tier has."""
+    return [source for section, source in sources if section in tier]
+
+
 def make_plan(study, tier_name, case_schema):
     """The plan of a tier: its settings, its runs (id, group, labels, resolved case) and its brackets."""
     if tier_name not in study["tiers"]:
         raise ValueError(f"there is no tier '{tier_name}'; {hint(tier_name, study['tiers'])}")
-    tier = study["tiers"][tier_name]
-    planner = _Planner(case_schema, study["solver_model"])
-    sources = (points.streamlines, points.stokes, points.stretching, points.passages, points.sensitivity)
-    sources += (stability.maps, stability.long_run)
-    runs = planner.all_of(sources, tier)
+    tier = study["tiers"][tier_name] | case_parts(study, ROOT / "params" / "cells")
+    planner = _Planner(case_schema)
+    runs = planner.all_of(_present(tier, SOURCES), tier)
     passages = [run for run in runs if run["case"]["scene"] == "passage"]
     static = {axis: _by_line(passages, axis) for axis in AXES}
     brackets = {}
-    for source in (points.boundary_brackets, points.sensitivity_brackets, points.uncertainty_brackets):
+    for source in _present(tier, BRACKET_SOURCES):
         for name, definition, overlay in source(tier):
             found = planner.bracket(name, definition, overlay, static[definition["axis"]])
             brackets[name] = found[0]
             runs += found[1]
-    # Last, so that the brackets do not wait for runs that only the target `accuracy` needs.
-    runs += planner.all_of((points.accuracy, points.settings_check), tier)
+    runs += planner.all_of(_present(tier, LATE_SOURCES), tier)
     return {
+        "study": study["title"],
+        "purpose": study["purpose"],
         "tier": tier_name,
         "note": tier["note"],
-        "solver_model": study["solver_model"],
-        "refinement": tier["streamlines"]["refinement"],
-        "uncertainty": tier["uncertainty"]["rows"],
-        "sensitivity": tier["sensitivity"],
-        "accuracy": tier["accuracy"],
-        "figures": tier["figures"],
+        "solver_model": planner.solver_model,
+        "devices": tier["devices"],
+        "cells": study["cells"],
+        "sections": [name for name in tier if name in points.SECTIONS],
+        "refinement": tier.get("streamlines", {}).get("refinement", {}),
+        "uncertainty": tier.get("uncertainty", {}).get("rows", []),
+        **{name: tier[name] for name in ("sensitivity", "accuracy", "figures") if name in tier},
         "brackets": brackets,
         "runs": runs,
     }

@@ -1,7 +1,23 @@
 """The points of a tier: every run that is known beforehand, as (group, labels, case overlay), and the
-brackets that add runs while they narrow."""
+brackets that add runs while they narrow. A section that a tier does not have asks for nothing."""
 
 from itertools import product
+
+from study.arrays import device_of, placed
+
+#: What a tier may consist of.
+SECTIONS = (
+    "streamlines",
+    "stokes",
+    "stretching",
+    "passages",
+    "boundary",
+    "uncertainty",
+    "sensitivity",
+    "accuracy",
+    "stability",
+    "figures",
+)
 
 #: Groups of runs that make up the study; the others belong to targets of their own (accuracy, stability).
 STUDY_GROUPS = (
@@ -45,19 +61,22 @@ def _at(shift, capillary):
 
 def streamlines(tier):
     part = tier["streamlines"]
-    for name, variant in part["variants"].items():
-        for shift in variant.get("row_shifts_um", part["row_shifts_um"]):
-            shifted = {"scene": "streamlines", "geometry": {"row_shift_um": shift}}
-            labels = {"variant": name, "row_shift_um": shift}
-            yield "streamlines", labels, merged(part["case"], variant["case"], shifted)
+    for device in part.get("devices", [None]):
+        names, array = device_of(tier, device)
+        for name, variant in part["variants"].items():
+            for shift in variant.get("row_shifts_um", part["row_shifts_um"]):
+                shifted = {"scene": "streamlines", "geometry": {"row_shift_um": shift}}
+                labels = {"variant": name, "row_shift_um": shift} | names
+                yield "streamlines", labels, merged(array, part["case"], variant["case"], shifted)
 
 
 def stokes(tier):
     part = tier["stokes"]
+    names, array = device_of(tier)
     for shift, force in product(part["row_shifts_um"], part["force_densities"]):
         point = {"geometry": {"row_shift_um": shift}, "fluid": {"force_density": force}}
-        labels = {"row_shift_um": shift, "force_density": force}
-        yield "stokes", labels, merged(part["case"], point, {"scene": "streamlines"})
+        labels = {"row_shift_um": shift, "force_density": force} | names
+        yield "stokes", labels, merged(array, part["case"], point, {"scene": "streamlines"})
 
 
 def stretching(tier):
@@ -69,8 +88,9 @@ def stretching(tier):
 
 def passages(tier):
     for name, part in tier["passages"].items():
+        labels, parts = placed(tier, part)
         for shift, capillary in product(part["row_shifts_um"], part["capillary_numbers"]):
-            yield "passages", {"sweep": name}, merged(part["case"], _at(shift, capillary))
+            yield "passages", {"sweep": name} | labels, merged(*parts, part["case"], _at(shift, capillary))
 
 
 def choices(tier):
@@ -137,8 +157,9 @@ def boundary_brackets(tier):
     """
     part = tier["boundary"]
     for series, entry in part["series"].items():
-        yield from _along_capillary_number(series, entry, part, entry["case"])
-    for series, entry in part["mirror"].items():
+        yield from _along_capillary_number(tier, series, entry, part, entry["case"])
+    for series, entry in part.get("mirror", {}).items():
+        labels, parts = placed(tier, entry)
         for capillary in entry["capillary_numbers"]:
             low, high = entry["row_shift_range_um"]
             definition = {
@@ -150,8 +171,8 @@ def boundary_brackets(tier):
                 "levels": entry["levels"],
                 "settings": described(entry["case"]),
                 "confirm": {},
-            }
-            overlay = merged(part["case"], entry["case"], _at(low, capillary))
+            } | labels
+            overlay = merged(*parts, part["case"], entry["case"], _at(low, capillary))
             yield f"{series}/ca{capillary:g}", definition, overlay
 
 
@@ -162,17 +183,20 @@ def sensitivity_brackets(tier):
     for choice, value, entry in choices(tier):
         if choice in boundary["choices"] and "series" not in entry and "capillary_factor" not in entry:
             series = f"sensitivity/{choice}/{value}"
-            yield from _along_capillary_number(series, boundary, part, entry["case"], kind="sensitivity")
+            yield from _along_capillary_number(
+                tier, series, boundary, part, entry["case"], kind="sensitivity"
+            )
 
 
 def uncertainty_brackets(tier):
     """The same for the settings that are varied one at a time to know how sure the boundary is."""
     part = tier["uncertainty"]
     for series, entry in part["series"].items():
-        yield from _along_capillary_number(series, entry, part, entry["case"], kind="uncertainty")
+        yield from _along_capillary_number(tier, series, entry, part, entry["case"], kind="uncertainty")
 
 
-def _along_capillary_number(series, entry, part, overlay, kind="boundary"):
+def _along_capillary_number(tier, series, entry, part, overlay, kind="boundary"):
+    labels, parts = placed(tier, entry)
     own_ranges = entry.get("ca_ranges", {})
     shifts = [f"{shift:g}" for shift in entry["row_shifts_um"]]
     if unknown := sorted(set(own_ranges) - set(shifts)):
@@ -190,5 +214,5 @@ def _along_capillary_number(series, entry, part, overlay, kind="boundary"):
             "levels": entry["levels"],
             "settings": described(overlay),
             "confirm": entry.get("confirm", {}),
-        }
-        yield f"{series}/d{shift:g}", definition, merged(part["case"], overlay, _at(shift, low))
+        } | labels
+        yield f"{series}/d{shift:g}", definition, merged(*parts, part["case"], overlay, _at(shift, low))

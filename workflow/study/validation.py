@@ -103,60 +103,117 @@ def written_at(tiers, path):
     return ["tiers", max(chain(tiers, path[1]), key=depth), *path[2:]]
 
 
-def _known_names(tier):
-    """(path, name, known names) of every name in a tier that refers to something else in it."""
-    flow, boundary, figures = tier["streamlines"], tier["boundary"], tier["figures"]
-    variants, sweeps, series = flow["variants"], tier["passages"], boundary["series"]
-    choices, asked = tier["sensitivity"]["choices"], tier["sensitivity"]["boundary"]
-    limits = [*variants, *flow["refinement"]]
-    brackets = [*series] + [
-        f"sensitivity/{choice}/{value}" for choice in asked["choices"] for value in choices.get(choice, ())
+def _listed(path, names, known):
+    """(path, name, known names) of every name in a list."""
+    for number, name in enumerate(names):
+        yield [*path, number], name, known
+
+
+def _names_of_flow(tier):
+    flow = tier["streamlines"]
+    yield from _listed(["streamlines", "devices"], flow.get("devices", []), tier["devices"])
+    for key, names in flow["refinement"].items():
+        yield from _listed(["streamlines", "refinement", key], names, flow["variants"])
+
+
+def _names_of_places(tier):
+    """Names of devices and cells in sweeps and series."""
+    entries = [(["passages", name], entry) for name, entry in tier.get("passages", {}).items()]
+    entries += _series(tier)
+    entries += [
+        (["boundary", "mirror", name], entry)
+        for name, entry in tier.get("boundary", {}).get("mirror", {}).items()
     ]
-    listed = [
-        (["streamlines", "refinement", key], names, variants) for key, names in flow["refinement"].items()
-    ]
-    listed.append((["sensitivity", "boundary", "choices"], asked["choices"], choices))
-    listed.append((["figures", "law_variants"], figures["law_variants"], limits))
-    listed.append((["accuracy", "class_sweeps"], tier["accuracy"]["class_sweeps"], sweeps))
+    for path, entry in entries:
+        for key, known in (("device", "devices"), ("cell", "cells")):
+            if key in entry:
+                yield [*path, key], entry[key], tier[known]
+
+
+def _names_of_accuracy(tier):
+    yield from _listed(["accuracy", "class_sweeps"], tier["accuracy"]["class_sweeps"], tier["passages"])
     for study, part in tier["accuracy"]["studies"].items():
         for method, entry in part["methods"].items():
             place = ["accuracy", "studies", study, "methods", method]
-            listed.append(([*place, "ladder"], entry.get("ladder", []), part.get("ladder", {})))
+            yield from _listed([*place, "ladder"], entry.get("ladder", []), part.get("ladder", {}))
             if "reference" in entry:
                 yield [*place, "reference"], entry["reference"], part["references"]
             if "extends" in entry:
                 yield [*place, "extends"], entry["extends"], part["methods"]
         for reference, entry in part["references"].items():
             place = ["accuracy", "studies", study, "references", reference, "methods"]
-            listed.append((place, entry["methods"], part["methods"]))
+            yield from _listed(place, entry["methods"], part["methods"])
+
+
+def _names_of_stability(tier):
     maps = tier["stability"]["maps"]
     for name, plane in maps.items():
         if "extends" in plane:
             yield ["stability", "maps", name, "extends"], plane["extends"], maps
-    for path, names, known in listed:
-        for number, name in enumerate(names):
-            yield [*path, number], name, known
-    yield ["sensitivity", "boundary", "reference"], asked["reference"], series
+
+
+def _names_of_uncertainty(tier):
+    known = [*tier["boundary"]["series"], *tier["uncertainty"]["series"]]
     for number, row in enumerate(tier["uncertainty"]["rows"]):
         for side in ("series", "reference"):
-            yield ["uncertainty", "rows", number, side], row[side], [*series, *tier["uncertainty"]["series"]]
+            yield ["uncertainty", "rows", number, side], row[side], known
+
+
+def _names_of_sensitivity(tier):
+    choices, asked = tier["sensitivity"]["choices"], tier["sensitivity"]["boundary"]
+    series = tier["boundary"]["series"]
+    brackets = [*series] + [
+        f"sensitivity/{choice}/{value}" for choice in asked["choices"] for value in choices.get(choice, ())
+    ]
+    yield from _listed(["sensitivity", "boundary", "choices"], asked["choices"], choices)
+    yield ["sensitivity", "boundary", "reference"], asked["reference"], series
     for choice, values in choices.items():
         for value, entry in values.items():
             if "series" in entry:
                 yield ["sensitivity", "choices", choice, value, "series"], entry["series"], brackets
-    yield ["figures", "streamline_variant"], figures["streamline_variant"], variants
-    yield ["figures", "trajectory_sweep"], figures["trajectory_sweep"], sweeps
-    yield ["figures", "deformed_cell", "sweep"], figures["deformed_cell"]["sweep"], sweeps
-    yield ["figures", "gap_cells", "sweep"], figures["gap_cells"]["sweep"], sweeps
-    yield ["figures", "gap_cells", "flow_variant"], figures["gap_cells"]["flow_variant"], variants
-    yield ["figures", "array", "sweep"], figures["array"]["sweep"], sweeps
-    yield ["figures", "array", "variant"], figures["array"]["variant"], variants
+
+
+def _names_of_figures(tier):
+    figures, variants, sweeps = tier["figures"], tier["streamlines"]["variants"], tier["passages"]
+    limits = [*variants, *tier["streamlines"]["refinement"]]
+    yield from _listed(["figures", "law_variants"], figures["law_variants"], limits)
+    for path, known in (
+        (["streamline_variant"], variants),
+        (["trajectory_sweep"], sweeps),
+        (["deformed_cell", "sweep"], sweeps),
+        (["gap_cells", "sweep"], sweeps),
+        (["gap_cells", "flow_variant"], variants),
+        (["array", "sweep"], sweeps),
+        (["array", "variant"], variants),
+    ):
+        name = figures
+        for key in path:
+            name = name[key]
+        yield ["figures", *path], name, known
+
+
+#: (section, names in it that refer to something else in the tier).
+NAMES = [
+    ("streamlines", _names_of_flow),
+    ("accuracy", _names_of_accuracy),
+    ("stability", _names_of_stability),
+    ("uncertainty", _names_of_uncertainty),
+    ("sensitivity", _names_of_sensitivity),
+    ("figures", _names_of_figures),
+]
+#: (section, sections without which it says nothing).
+NEEDS = [
+    ("uncertainty", ["boundary"]),
+    ("sensitivity", ["boundary"]),
+    ("accuracy", ["passages"]),
+    ("figures", ["streamlines", "passages"]),
+]
 
 
 def _series(tier):
     """(path, entry) of every series of brackets of the critical capillary number."""
     for part in ("boundary", "uncertainty"):
-        for series, entry in tier[part]["series"].items():
+        for series, entry in tier.get(part, {}).get("series", {}).items():
             yield [part, "series", series], entry
 
 
@@ -166,15 +223,43 @@ def _ranges(tier):
         yield [*place, "ca_range"], entry["ca_range"]
         for shift, ends in entry.get("ca_ranges", {}).items():
             yield [*place, "ca_ranges", shift], ends
-    for series, entry in tier["boundary"]["mirror"].items():
+    for series, entry in tier.get("boundary", {}).get("mirror", {}).items():
         yield ["boundary", "mirror", series, "row_shift_range_um"], entry["row_shift_range_um"]
-    yield ["sensitivity", "boundary", "ca_range"], tier["sensitivity"]["boundary"]["ca_range"]
+    if "sensitivity" in tier:
+        yield ["sensitivity", "boundary", "ca_range"], tier["sensitivity"]["boundary"]["ca_range"]
 
 
-def inconsistencies(tier):
-    """(path, text) of what a schema cannot see in a tier in full: names without their object, ranges that go
-    backwards or of a row shift that the series does not have, methods that extend one another in a circle."""
-    for path, name, known in _known_names(tier):
+def _circles(tier):
+    """(path, text) of methods that extend one another in a circle."""
+    for study, part in tier.get("accuracy", {}).get("studies", {}).items():
+        for method in part["methods"]:
+            seen, base = [method], part["methods"][method].get("extends")
+            while base in part["methods"] and base not in seen:
+                seen.append(base)
+                base = part["methods"][base].get("extends")
+            if base == method:
+                place = ["accuracy", "studies", study, "methods", method, "extends"]
+                yield place, "the methods extend one another in a circle"
+
+
+def inconsistencies(tier, devices, cells):
+    """(path, text) of what a schema cannot see in a tier in full: sections and names without what they refer to,
+    ranges that go backwards or of a row shift that the series does not have, methods that extend one another
+    in a circle."""
+    tier = tier | {"devices": devices, "cells": cells}
+    lacking = [
+        ([section], f"needs the section {other}; add it or leave {section} out")
+        for section, others in NEEDS
+        for other in others
+        if section in tier and other not in tier
+    ]
+    yield from lacking
+    if lacking:
+        return
+    named = [*_names_of_places(tier)] + [
+        name for section, names in NAMES if section in tier for name in names(tier)
+    ]
+    for path, name, known in named:
         if name not in known:
             yield path, f"there is no '{name}'; {hint(name, known)}"
     for path, (low, high) in _ranges(tier):
@@ -186,17 +271,7 @@ def inconsistencies(tier):
                 shifts = ", ".join(f"{one:g}" for one in entry["row_shifts_um"])
                 place = [*path, "ca_ranges", shift]
                 yield place, f"the series has no row shift {shift}; it has {shifts}"
-    for study, part in tier["accuracy"]["studies"].items():
-        for method in part["methods"]:
-            seen, base = [method], part["methods"][method].get("extends")
-            while base in part["methods"] and base not in seen:
-                seen.append(base)
-                base = part["methods"][base].get("extends")
-            if base == method:
-                yield (
-                    ["accuracy", "studies", study, "methods", method, "extends"],
-                    "the methods extend one another in a circle",
-                )
+    yield from _circles(tier)
 
 
 def listing(path, found):

@@ -1,0 +1,36 @@
+"""The devices and cells of a study: what a section of the study says about them becomes part of a case."""
+
+import json
+
+from study.validation import hint
+
+
+def case_parts(study, folder):
+    """{"devices": {name: part of a case}, "cells": {name: part of a case}} of a study. A cell of a `type` begins
+    with the values of that file in `folder`; a ValueError where there is none of that name."""
+    cells = {}
+    for name, entry in study["cells"].items():
+        below = {}
+        if kind := entry.get("type"):
+            known = sorted(path.stem for path in folder.glob("*.json"))
+            if kind not in known:
+                raise ValueError(f"/cells/{name}/type: there is no cell '{kind}'; {hint(kind, known)}")
+            below = json.loads((folder / f"{kind}.json").read_text(encoding="utf-8"))["cell"]
+        cells[name] = {"cell": below | entry.get("cell", {})}
+    return {
+        "devices": {name: {"geometry": geometry} for name, geometry in study["devices"].items()},
+        "cells": cells,
+    }
+
+
+def device_of(tier, name=None):
+    """(labels, part of a case) of a device by its name; without one the first of the study."""
+    name = name or next(iter(tier["devices"]))
+    return {"device": name}, tier["devices"][name]
+
+
+def placed(tier, entry):
+    """(labels, parts of a case) of the device and the cell that an entry names; without a name the first ones."""
+    labels, device = device_of(tier, entry.get("device"))
+    name = entry.get("cell", next(iter(tier["cells"])))
+    return labels | {"cell": name}, (device, tier["cells"][name])
