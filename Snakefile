@@ -1,9 +1,10 @@
 """Reproduction of a deformability-based DLD separation study: solver, runs, tables, figures, verdicts.
 
-    snakemake --cores 2                       the whole study, into results/
-    snakemake --cores 2 --config tier=smoke   every rule on a coarse lattice, into results/smoke/
+    snakemake --cores 2                         the study of the paper, into results/
+    snakemake --cores 2 --config study=triangle another study, params/studies/triangle.json, into results/triangle/
+    snakemake --cores 2 --config tier=smoke     every rule on a coarse lattice, into results/smoke/
 
-The runs of a tier stand in params/study.json; workflow/study/plan.py resolves them.
+The runs of a tier stand in the file of its study; workflow/study/plan.py resolves them.
 """
 
 import os
@@ -17,21 +18,22 @@ min_version("9.0")
 os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
 sys.path.insert(0, os.path.join(workflow.basedir, "workflow"))
 
-from study.plan import ids, load_plan, study_brackets, validated, write_plan
+from study.folders import PAPER, results_folder, study_file
+from study.plan import ids, load_plan, load_study, study_brackets, validated, write_plan
 from study.points import STUDY_GROUPS
 from study.validation import hint
 
-STUDY, CLAIMS = "params/study.json", "params/claims.json"
-OPTIONS = ["tier", "dld", "sample", "seed", "most_node_updates"]  # of --config
+OPTIONS = ["study", "tier", "dld", "sample", "seed", "most_node_updates"]  # of --config
 for name in config:
     if name not in OPTIONS:
         raise ValueError(f"--config {name}: unknown; {hint(name, OPTIONS)}")
-TIER = str(config.get("tier", "paper"))
+STUDY = study_file(str(config.get("study", PAPER)))
+STUDY_TEXT = load_study(STUDY)
+TIER = str(config.get("tier", next(iter(STUDY_TEXT["tiers"]))))
 PLAN = load_plan(STUDY, TIER)
-validated(CLAIMS, "claims")  # before any run, although they are judged after all
-RESULTS = "results" if TIER == "paper" else f"results/{TIER}"
+RESULTS = results_folder(STUDY, TIER, STUDY_TEXT["tiers"])
 PLAN_FILE = write_plan(PLAN, f"{RESULTS}/plan.json")
-RUNS = "results/runs"  # shared by all tiers: a run's name is its case
+RUNS = "results/runs"  # shared by all studies and tiers: a run's name is its case
 TABLES, FIGURES, LOGS = (f"{RESULTS}/{name}" for name in ("tables", "figures", "logs"))
 SCRIPTS = "workflow/scripts"
 PACKAGE = sorted(glob("workflow/study/*.py"))  # every analysis depends on it
@@ -44,38 +46,56 @@ wildcard_constraints:
 include: "workflow/rules/build.smk"
 include: "workflow/rules/runs.smk"
 include: "workflow/rules/flow.smk"
-include: "workflow/rules/membrane.smk"
-include: "workflow/rules/stretching.smk"
 include: "workflow/rules/boundary.smk"
-include: "workflow/rules/uncertainty.smk"
 include: "workflow/rules/passages.smk"
-include: "workflow/rules/sensitivity.smk"
-include: "workflow/rules/stability.smk"
-include: "workflow/rules/accuracy.smk"
-include: "workflow/rules/performance.smk"
-include: "workflow/rules/spot_check.smk"
-include: "workflow/rules/figures.smk"
-include: "workflow/rules/figures_extent.smk"
-include: "workflow/rules/claims.smk"
-include: "workflow/rules/report.smk"
-include: "workflow/rules/paper.smk"
+
+
+if "claims" in STUDY_TEXT:  # the study of a paper, judged by what is printed
+
+    CLAIMS = STUDY_TEXT["claims"]
+    validated(CLAIMS, "claims")  # before any run, although they are judged after all
+
+    include: "workflow/rules/paper/flow.smk"
+    include: "workflow/rules/paper/membrane.smk"
+    include: "workflow/rules/paper/stretching.smk"
+    include: "workflow/rules/paper/passages.smk"
+    include: "workflow/rules/paper/uncertainty.smk"
+    include: "workflow/rules/paper/sensitivity.smk"
+    include: "workflow/rules/paper/stability.smk"
+    include: "workflow/rules/paper/accuracy.smk"
+    include: "workflow/rules/paper/performance.smk"
+    include: "workflow/rules/paper/spot_check.smk"
+    include: "workflow/rules/paper/figures.smk"
+    include: "workflow/rules/paper/figures_extent.smk"
+    include: "workflow/rules/paper/claims.smk"
+    include: "workflow/rules/paper/report.smk"
+    include: "workflow/rules/paper/paper.smk"
+
+    ALL_FILES = [
+        *FLOW_TABLES,
+        *MEMBRANE_TABLES,
+        *STRETCHING_TABLES,
+        *BOUNDARY_TABLES,
+        *PASSAGE_TABLES,
+        *SENSITIVITY_TABLES,
+        *FIGURE_FILES,
+        *ANIMATION_FILES,
+        *EXTENT_FIGURES,
+        *CLAIM_FILES,
+        *REPORT_FILES,
+        *PAPER_FILES,
+    ]
+else:
+
+    include: "workflow/rules/study.smk"
+
+    ALL_FILES = STUDY_FILES
 
 
 rule all:
     default_target: True
     input:
-        FLOW_TABLES,
-        MEMBRANE_TABLES,
-        STRETCHING_TABLES,
-        BOUNDARY_TABLES,
-        PASSAGE_TABLES,
-        SENSITIVITY_TABLES,
-        FIGURE_FILES,
-        ANIMATION_FILES,
-        EXTENT_FIGURES,
-        CLAIM_FILES,
-        REPORT_FILES,
-        PAPER_FILES,
+        ALL_FILES,
 
 
 onstart:
@@ -86,5 +106,5 @@ onstart:
 
 
 onsuccess:
-    if Path(CLAIM_FILES[0]).exists():
+    if "claims" in STUDY_TEXT and Path(CLAIM_FILES[0]).exists():
         shell(f"python {SCRIPTS}/print_claims.py {CLAIM_FILES[0]}")

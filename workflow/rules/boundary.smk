@@ -22,7 +22,7 @@ CONFIRMATION_FILES = [
 BOUNDARY_TABLES = expand(
     "{folder}/{name}.csv",
     folder=TABLES,
-    name=["phase_boundary", "boundary_points", "boundary_confirmation", "critical_row_shift", "fits"],
+    name=["phase_boundary", "boundary_points", "boundary_confirmation", "critical_row_shift"],
 )
 BRACKET_CODE = ["workflow/study/brackets.py"]  # the rest of the package does not change a bracket
 
@@ -175,22 +175,4 @@ rule boundary_tables:
         python {input.script} --plan {input.plan} --brackets {params.brackets} --boundary {output.boundary} \
             --points {output.points} --confirmation {output.confirmation} --row-shifts {output.row_shifts} \
             2> {log}
-        """
-
-
-rule boundary_fits:
-    input:
-        table=rules.boundary_tables.output.boundary,
-        separation=rules.separation_law_fits.output,
-        claims=CLAIMS,
-        script=f"{SCRIPTS}/boundary_fits.py",
-        package=PACKAGE,
-    output:
-        f"{TABLES}/fits.csv",
-    log:
-        f"{LOGS}/boundary_fits.log",
-    shell:
-        """
-        python {input.script} --table {input.table} --separation {input.separation} --claims {input.claims} \
-            --output {output} 2> {log}
         """

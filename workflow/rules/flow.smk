@@ -1,10 +1,6 @@
-"""The flow without cells: separation distances, power laws, Stokes checks, units."""
+"""The flow without cells: separation distances and flow resistance of every device."""
 
-FLOW_TABLES = expand(
-    "{folder}/{name}.csv",
-    folder=TABLES,
-    name=["streamline_separation", "fits_separation", "stokes_checks", "units"],
-)
+SEPARATION_TABLE = f"{TABLES}/streamline_separation.csv"
 
 
 rule streamline_table:
@@ -14,54 +10,10 @@ rule streamline_table:
         script=f"{SCRIPTS}/streamline_table.py",
         package=PACKAGE,
     output:
-        f"{TABLES}/streamline_separation.csv",
+        SEPARATION_TABLE,
     log:
         f"{LOGS}/streamline_table.log",
     params:
         runs=RUNS,
     shell:
         "python {input.script} --plan {input.plan} --runs {params.runs} --output {output} 2> {log}"
-
-
-rule separation_law_fits:
-    input:
-        table=rules.streamline_table.output,
-        claims=CLAIMS,
-        script=f"{SCRIPTS}/separation_law_fits.py",
-        package=PACKAGE,
-    output:
-        f"{TABLES}/fits_separation.csv",
-    log:
-        f"{LOGS}/separation_law_fits.log",
-    shell:
-        "python {input.script} --table {input.table} --claims {input.claims} --output {output} 2> {log}"
-
-
-rule stokes_checks:
-    input:
-        plan=PLAN_FILE,
-        runs=of_runs("summary.json", "stokes") + of_runs("run.h5", "stokes"),
-        script=f"{SCRIPTS}/stokes_checks.py",
-        package=PACKAGE,
-    output:
-        f"{TABLES}/stokes_checks.csv",
-    log:
-        f"{LOGS}/stokes_checks.log",
-    params:
-        runs=RUNS,
-    shell:
-        "python {input.script} --plan {input.plan} --runs {params.runs} --output {output} 2> {log}"
-
-
-rule units_table:
-    input:
-        table=rules.streamline_table.output,
-        claims=CLAIMS,
-        script=f"{SCRIPTS}/units_table.py",
-        package=PACKAGE,
-    output:
-        f"{TABLES}/units.csv",
-    log:
-        f"{LOGS}/units_table.log",
-    shell:
-        "python {input.script} --table {input.table} --claims {input.claims} --output {output} 2> {log}"

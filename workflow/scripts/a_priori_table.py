@@ -16,6 +16,8 @@ from study.tweezer import SeparationCurve, TweezerCurve
 
 COLUMNS = [
     "sweep",
+    "device",
+    "cell",
     "dx_um",
     "lateral_flow",
     "skalak_denominator",
@@ -33,11 +35,13 @@ STYLES |= {"node_updates": ".4e"}
 
 
 def variant_for(row, separation):
-    """The variant of the flow with the settings of a passage: interpolated walls, its lattice, its lateral
+    """The variant of the flow with the device and the settings of a passage: interpolated walls, its lattice, its lateral
     flow; without one, the refined limit."""
     if row["lateral_flow"] == "blocked":
         return "blocked-lateral"
-    accurate = separation[separation.variant.str.startswith("accurate")]
+    accurate = separation[
+        separation.variant.str.startswith("accurate") & (separation.device == row["device"])
+    ]
     same = accurate[(accurate.dx_um - row["dx_um"]).abs() < 1e-3]
     return same.variant.iloc[0] if len(same) else "refined"
 
@@ -52,7 +56,7 @@ def larger(extent, limit):
 def row_of(row, separation, distances, tweezer, law):
     """Table row of one passage."""
     variant = variant_for(row, separation)
-    s = distances.distance(variant, row["row_shift_um"])
+    s = distances.distance(row["device"], variant, row["row_shift_um"])
     diameter = tweezer.diameter(row["capillary_number"], row["skalak_denominator"])
     printed = law["A_um"] * row["epsilon"] ** law["B"]
     predictions = {

@@ -18,12 +18,14 @@ BOUNDARY = [
     "lateral_flow",
     "settings",
     "series",
+    "device",
+    "cell",
 ]
 BOUNDARY += ["undecided_inside", "contradictions", *UNDISPUTED]
 BOUNDARY += ["confirmed", "runs"]
-ROW_SHIFTS = ["series", "dx_um", "capillary_number", "d_displaced_um", "d_zigzag_um", "status"]
+ROW_SHIFTS = ["series", "device", "cell", "dx_um", "capillary_number", "d_displaced_um", "d_zigzag_um", "status"]
 ROW_SHIFTS += ["undecided_inside", "contradictions", "settings", "runs"]
-POINTS = ["series", "dx_um", "row_shift_um", "capillary_number", "class", "run"]
+POINTS = ["series", "device", "cell", "dx_um", "row_shift_um", "capillary_number", "class", "run"]
 CONFIRMATION = ["series", "row_shift_um", "confirmation", "ca_displaced", "class_at_displaced", "ca_zigzag"]
 CONFIRMATION += ["class_at_zigzag", "agrees", "runs"]
 STYLES = {"dx_um": ".4f", "row_shift_um": ".1f", "d_displaced_um": ".2f"}
@@ -63,6 +65,8 @@ def common(definition, state):
         "lateral_flow": definition["case"]["fluid"]["lateral_flow"],
         "settings": definition["settings"],
         "runs": ends(state),
+        "device": definition["device"],
+        "cell": definition["cell"],
         **{name: state[name] for name in ("status", "undecided_inside", "contradictions")},
     }
 
@@ -71,7 +75,7 @@ def point_rows(definition, state):
     """Every run of a bracket."""
     for point in state["points"]:
         yield {
-            "series": definition["series"],
+            **{name: definition[name] for name in ("series", "device", "cell")},
             "dx_um": definition["case"]["fluid"]["lattice_spacing_um"],
             "row_shift_um": definition["case"]["geometry"]["row_shift_um"],
             "capillary_number": definition["case"]["cell"]["capillary_number"],

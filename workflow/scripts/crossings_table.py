@@ -7,7 +7,7 @@ from study.arguments import table_arguments
 from study.runs import passage_runs
 from study.tables import write_table
 
-LABELS = ["sweep", "dx_um", "lateral_flow", "row_shift_um", "capillary_number", "class"]
+LABELS = ["sweep", "device", "cell", "dx_um", "lateral_flow", "row_shift_um", "capillary_number", "class"]
 MEASURED = ["row", "step", "y_um", "gap_position_um", "lane", "bump", "d_perp_um", "d_perp_at_centre_um"]
 MEASURED += ["film_um", "min_face_ratio", "height_um", "speed_um_per_step"]
 MAP = ["row", "gap_position_um", "next_gap_position_um", "bump"]
@@ -20,7 +20,7 @@ STYLES |= {"min_face_ratio": ".3f"} | dict.fromkeys(["row", "step", "lane", "bum
 def labels_of(run):
     """What all rows of a run have in common."""
     return {
-        "sweep": run.labels["sweep"],
+        **{name: run.labels[name] for name in ("sweep", "device", "cell")},
         "dx_um": run.dx_um,
         "lateral_flow": run.case["fluid"]["lateral_flow"],
         "row_shift_um": run.row_shift_um,

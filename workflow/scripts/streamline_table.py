@@ -26,6 +26,7 @@ NUMBERS = [
     "status",
 ]
 COLUMNS = [
+    "device",
     "variant",
     "dx_um",
     "row_shift_um",
@@ -34,6 +35,7 @@ COLUMNS = [
     "s_uncertainty_um",
     "observed_order",
     "s_upper_um",
+    "s_upper_uncertainty_um",
     "resistance_Pa_s_per_m2",
     "resistance_uncertainty_Pa_s_per_m2",
     "lateral_velocity_ratio",
@@ -44,6 +46,7 @@ STYLES = {
     "s_um": ".4f",
     "s_upper_um": ".4f",
     "s_uncertainty_um": ".4f",
+    "s_upper_uncertainty_um": ".4f",
     "observed_order": ".2f",
     "row_shift_um": ".1f",
     "epsilon": ".4f",
@@ -56,30 +59,32 @@ STYLES = {
 def row_of(run):
     """Table row of one run."""
     summary = run.summary
-    row = {"variant": run.labels["variant"], "dx_um": run.dx_um, "run": run.id}
+    row = {"device": run.labels["device"], "variant": run.labels["variant"], "dx_um": run.dx_um, "run": run.id}
     row |= {"row_shift_um": run.row_shift_um, "epsilon": run.epsilon}
     row |= {name: summary.get(key) for name, key in LIMITS.items()}
     return row | {name: summary.get(name) for name in NUMBERS}
 
 
 def limit_rows(name, variants, rows):
-    """Rows of a limit dx -> 0, one for each row shift that all its variants have."""
+    """Rows of a limit dx -> 0, one for each device and row shift that all its variants have."""
     by_shift = defaultdict(list)
     for row in rows:
         if row["variant"] in variants and row["status"] == "converged":
-            by_shift[row["row_shift_um"]].append(row)
-    for shift, members in by_shift.items():
+            by_shift[row["device"], row["row_shift_um"]].append(row)
+    for (device, shift), members in by_shift.items():
         if len(members) < len(variants):
             continue
         spacings = [row["dx_um"] for row in members]
         estimates = {key: refined_limit(spacings, [row[key] for row in members]) for key in LIMITS}
         yield {
+            "device": device,
             "variant": name,
             "dx_um": 0.0,
             "row_shift_um": shift,
             "epsilon": members[0]["epsilon"],
             **{key: estimate[0] for key, estimate in estimates.items()},
             "s_uncertainty_um": estimates["s_um"][1],
+            "s_upper_uncertainty_um": estimates["s_upper_um"][1],
             "observed_order": estimates["s_um"][2],
             "resistance_uncertainty_Pa_s_per_m2": estimates["resistance_Pa_s_per_m2"][1],
             "status": "converged",
@@ -91,7 +96,7 @@ def main():
     rows = [row_of(run) for run in load_runs(arguments.plan, arguments.runs, "streamlines")]
     refinement = read_json(arguments.plan)["refinement"]
     limits = [row for name, variants in refinement.items() for row in limit_rows(name, variants, rows)]
-    write_table(rows + limits, COLUMNS, arguments.output, ["variant", "row_shift_um"], STYLES)
+    write_table(rows + limits, COLUMNS, arguments.output, ["device", "variant", "row_shift_um"], STYLES)
 
 
 main()

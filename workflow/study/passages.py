@@ -23,9 +23,11 @@ FROM_SUMMARY = [
 #: Classes that say what a cell does.
 DECIDED = ("displaced", "zigzag")
 #: By which the rows are sorted.
-KEYS = ["sweep", "dx_um", "skalak_denominator", "lateral_flow", "row_shift_um", "capillary_number"]
+KEYS = ["sweep", "device", "cell", "dx_um", "skalak_denominator", "lateral_flow", "row_shift_um", "capillary_number"]
 COLUMNS = [
     "sweep",
+    "device",
+    "cell",
     "dx_um",
     "skalak_denominator",
     "lateral_flow",
@@ -67,7 +69,7 @@ def row_of(run):
     """Table row of one passage."""
     summary = run.summary
     return {
-        "sweep": run.labels["sweep"],
+        **{name: run.labels[name] for name in ("sweep", "device", "cell")},
         "dx_um": run.dx_um,
         "skalak_denominator": run.case["cell"]["skalak_denominator"],
         "lateral_flow": run.case["fluid"]["lateral_flow"],

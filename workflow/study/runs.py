@@ -30,13 +30,19 @@ class Run:
         return self.case["fluid"]["lattice_spacing_um"]
 
     @property
+    def pitch_across_um(self):
+        """Distance of neighbouring lanes, um."""
+        geometry = self.case["geometry"]
+        return geometry.get("pitch_y_um", geometry["pitch_um"])
+
+    @property
     def row_shift_um(self):
         geometry = self.case["geometry"]
-        return geometry.get("row_shift_um", geometry.get("epsilon", 0.0) * geometry["pitch_um"])
+        return geometry.get("row_shift_um", geometry.get("epsilon", 0.0) * self.pitch_across_um)
 
     @property
     def epsilon(self):
-        return self.row_shift_um / self.case["geometry"]["pitch_um"]
+        return self.row_shift_um / self.pitch_across_um
 
     def open(self):
         """The run's HDF5 file, to be used in a `with`."""
@@ -72,6 +78,7 @@ def bracket_runs(plan_path, brackets, folder):
     for name, definition in study_brackets(read_json(plan_path)).items():
         state = read_json(Path(brackets) / name / f"level-{definition['levels']}.json")
         labels = {"sweep": f"boundary/{definition['series']}"}
+        labels |= {name: definition[name] for name in ("device", "cell")}
         for point in state["points"]:
             place = Path(folder) / point["run"]
             yield Run(point["run"], "boundary", labels, read_json(place / "case.json"), place)

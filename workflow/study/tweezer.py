@@ -41,14 +41,14 @@ class SeparationCurve:
         rows = separation[(separation.status == "converged") & (separation.s_um > 0)]
         self._curves = {
             name: curve.sort_values("row_shift_um")[["row_shift_um", "s_um"]].to_numpy(float).T
-            for name, curve in rows.groupby("variant")
+            for name, curve in rows.groupby(["device", "variant"])
         }
 
-    def distance(self, variant, row_shift_um):
-        """s; NaN outside the range of row shifts and for an unknown variant."""
-        if variant not in self._curves:
+    def distance(self, device, variant, row_shift_um):
+        """s; NaN outside the range of row shifts and for an unknown device or variant."""
+        if (device, variant) not in self._curves:
             return math.nan
-        shifts, distances = self._curves[variant]
+        shifts, distances = self._curves[device, variant]
         if not shifts[0] - 1e-9 <= row_shift_um <= shifts[-1] + 1e-9:
             return math.nan
         return float(np.exp(np.interp(math.log(row_shift_um), np.log(shifts), np.log(distances))))
