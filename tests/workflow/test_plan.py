@@ -60,7 +60,7 @@ def test_identity_ignores_sections_that_the_scene_does_not_read():
 def test_two_variants_of_the_same_point_share_a_run(study):
     tier = copy.deepcopy(study["tiers"]["smoke"])
     tier["streamlines"]["variants"]["twin"] = tier["streamlines"]["variants"]["accurate"]
-    plan = planning.make_plan({"solver_model": 1, "tiers": {"t": tier}}, "t", CASE_SCHEMA)
+    plan = planning.make_plan(study | {"tiers": {"t": tier}}, "t", CASE_SCHEMA)
     runs = [run for run in plan["runs"] if run["labels"].get("variant") in ("accurate", "twin")]
     assert len({run["id"] for run in runs}) == len(runs) / 2
     assert len(planning.ids(plan, "streamlines")) < sum(run["group"] == "streamlines" for run in plan["runs"])

@@ -13,7 +13,7 @@ from study.wording import WORDS
 
 EXPERIMENT = "params/experiment/tweezer_experiment.csv"
 EXPECTED = {
-    "streamline_separation": "variant row_shift_um epsilon s_um s_uncertainty_um s_upper_um "
+    "streamline_separation": "device variant row_shift_um epsilon s_um s_uncertainty_um s_upper_um "
     "resistance_Pa_s_per_m2 lateral_velocity_ratio reynolds_number",
     "fits": "name parameter value std_error paper_value",
     "phase_boundary": "dx_um row_shift_um ca_displaced ca_zigzag status lateral_flow settings series runs",

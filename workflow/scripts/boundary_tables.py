@@ -23,7 +23,16 @@ BOUNDARY = [
 ]
 BOUNDARY += ["undecided_inside", "contradictions", *UNDISPUTED]
 BOUNDARY += ["confirmed", "runs"]
-ROW_SHIFTS = ["series", "device", "cell", "dx_um", "capillary_number", "d_displaced_um", "d_zigzag_um", "status"]
+ROW_SHIFTS = [
+    "series",
+    "device",
+    "cell",
+    "dx_um",
+    "capillary_number",
+    "d_displaced_um",
+    "d_zigzag_um",
+    "status",
+]
 ROW_SHIFTS += ["undecided_inside", "contradictions", "settings", "runs"]
 POINTS = ["series", "device", "cell", "dx_um", "row_shift_um", "capillary_number", "class", "run"]
 CONFIRMATION = ["series", "row_shift_um", "confirmation", "ca_displaced", "class_at_displaced", "ca_zigzag"]

@@ -59,7 +59,12 @@ STYLES = {
 def row_of(run):
     """Table row of one run."""
     summary = run.summary
-    row = {"device": run.labels["device"], "variant": run.labels["variant"], "dx_um": run.dx_um, "run": run.id}
+    row = {
+        "device": run.labels["device"],
+        "variant": run.labels["variant"],
+        "dx_um": run.dx_um,
+        "run": run.id,
+    }
     row |= {"row_shift_um": run.row_shift_um, "epsilon": run.epsilon}
     row |= {name: summary.get(key) for name, key in LIMITS.items()}
     return row | {name: summary.get(name) for name in NUMBERS}

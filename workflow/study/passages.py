@@ -23,7 +23,16 @@ FROM_SUMMARY = [
 #: Classes that say what a cell does.
 DECIDED = ("displaced", "zigzag")
 #: By which the rows are sorted.
-KEYS = ["sweep", "device", "cell", "dx_um", "skalak_denominator", "lateral_flow", "row_shift_um", "capillary_number"]
+KEYS = [
+    "sweep",
+    "device",
+    "cell",
+    "dx_um",
+    "skalak_denominator",
+    "lateral_flow",
+    "row_shift_um",
+    "capillary_number",
+]
 COLUMNS = [
     "sweep",
     "device",

@@ -193,6 +193,11 @@ def _fingerprint(value):
     return hashlib.sha256(text.encode()).hexdigest()[:12]
 
 
+def radius_um(part, case_schema):
+    """Radius r of a cell, um, from its part of a case."""
+    return with_defaults(part["cell"], case_schema["properties"]["cell"])["radius_um"]
+
+
 #: (section, source of runs known beforehand), in the order of the plan.
 SOURCES = [
     ("streamlines", points.streamlines),
@@ -242,6 +247,7 @@ def make_plan(study, tier_name, case_schema):
         "solver_model": planner.solver_model,
         "devices": tier["devices"],
         "cells": study["cells"],
+        "radius_um": {name: radius_um(part, case_schema) for name, part in tier["cells"].items()},
         "sections": [name for name in tier if name in points.SECTIONS],
         "refinement": tier.get("streamlines", {}).get("refinement", {}),
         "uncertainty": tier.get("uncertainty", {}).get("rows", []),
