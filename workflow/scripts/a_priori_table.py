@@ -35,8 +35,8 @@ STYLES |= {"node_updates": ".4e"}
 
 
 def variant_for(row, separation):
-    """The variant of the flow with the device and the settings of a passage: interpolated walls, its lattice, its lateral
-    flow; without one, the refined limit."""
+    """The variant of the flow with the device and the settings of a passage: interpolated walls, its
+    lattice, its lateral flow; without one, the refined limit."""
     if row["lateral_flow"] == "blocked":
         return "blocked-lateral"
     accurate = separation[

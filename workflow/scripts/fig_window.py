@@ -11,7 +11,7 @@ def main():
     table = read_table(arguments.window)
     figure = style.new_figure(style.COLUMN, 2.7)
     axes = figure.add_subplot()
-    for number, (device, rows) in enumerate(table.groupby("device")):
+    for number, (_, rows) in enumerate(table.groupby("device")):
         colour = style.SERIES[1:][number % (len(style.SERIES) - 1)][0]
         ends = (rows.from_bar_per_m, rows.to_bar_per_m)
         axes.fill_betweenx(rows.row_shift_um, *ends, color=colour, alpha=0.3, lw=0)

@@ -1,5 +1,5 @@
-"""The devices of a study: their facts, the outlines of their pillars and, for every row shift, the streamlines
-that divide the flow."""
+"""The devices of a study: their facts, the outlines of their pillars and, for every row shift, the
+streamlines that divide the flow."""
 
 from study.arguments import required_arguments
 from study.devices import FACTS, facts_of

@@ -19,8 +19,14 @@ TITLES = {
 def device_lines(devices):
     """What the devices are."""
     rows = [
-        [row.device, f"{row.pitch_x_um:g} x {row.pitch_y_um:g}", f"{row.gap_um:.4g}", f"{row.depth_um:g}"]
-        + [f"{row.length_scale_um:.4g}", f"{100 * row.open_share:.1f} %"]
+        [
+            row.device,
+            f"{row.pitch_x_um:g} x {row.pitch_y_um:g}",
+            f"{row.gap_um:.4g}",
+            f"{row.depth_um:g}",
+            f"{row.length_scale_um:.4g}",
+            f"{100 * row.open_share:.1f} %",
+        ]
         for row in devices.itertuples()
     ]
     return markdown_table(
@@ -37,9 +43,15 @@ def separation_lines(separation):
         return f"{value:.3f}" + (f" ± {error:.3f}" if pd.notna(error) else "")
 
     rows = [
-        [row.device, f"{row.row_shift_um:g}", f"{row.epsilon:.4g}", row.variant]
-        + [with_error(row.s_um, row.s_uncertainty_um), with_error(row.s_upper_um, row.s_upper_uncertainty_um)]
-        + [f"{row.resistance_Pa_s_per_m2:.4g}"]
+        [
+            row.device,
+            f"{row.row_shift_um:g}",
+            f"{row.epsilon:.4g}",
+            row.variant,
+            with_error(row.s_um, row.s_uncertainty_um),
+            with_error(row.s_upper_um, row.s_upper_uncertainty_um),
+            f"{row.resistance_Pa_s_per_m2:.4g}",
+        ]
         for row in best.itertuples()
     ]
     titles = ["device", "d (µm)", "ε", "lattice", "s at the pillar below (µm)", "s at the pillar above (µm)"]
@@ -84,8 +96,14 @@ def class_lines(passages):
 def window_lines(window):
     """The windows between two cells."""
     rows = [
-        [row.device, f"{row.row_shift_um:g}", row.zigzag_cell, row.displaced_cell]
-        + [f"{row.from_bar_per_m:.3g}", f"{row.to_bar_per_m:.3g}"]
+        [
+            row.device,
+            f"{row.row_shift_um:g}",
+            row.zigzag_cell,
+            row.displaced_cell,
+            f"{row.from_bar_per_m:.3g}",
+            f"{row.to_bar_per_m:.3g}",
+        ]
         for row in window.itertuples()
     ]
     titles = ["device", "d (µm)", "zigzags", "is displaced", "from (bar/m)", "to (bar/m)"]

@@ -14,7 +14,7 @@ STYLES = {"row_shift_um": ".1f", "from_bar_per_m": ".4g", "to_bar_per_m": ".4g",
 
 
 def in_pressure(plan, devices, row):
-    """(largest pressure gradient known to displace, smallest known to zigzag) of a row of the boundary, bar/m."""
+    """(largest pressure gradient known to displace, smallest known to zigzag) of a row, bar/m."""
     radius = plan["radius_um"][row.cell]
     scale = devices.loc[row.device, "length_scale_um"]
     kS = shear_modulus(plan, row.cell)

@@ -6,8 +6,8 @@ from study.validation import hint
 
 
 def case_parts(study, folder):
-    """{"devices": {name: part of a case}, "cells": {name: part of a case}} of a study. A cell of a `type` begins
-    with the values of that file in `folder`; a ValueError where there is none of that name."""
+    """{"devices": {name: part of a case}, "cells": {name: part of a case}} of a study. A cell of a `type`
+    begins with the values of that file in `folder`; a ValueError where there is none of that name."""
     cells = {}
     for name, entry in study["cells"].items():
         below = {}
@@ -30,7 +30,7 @@ def device_of(tier, name=None):
 
 
 def placed(tier, entry):
-    """(labels, parts of a case) of the device and the cell that an entry names; without a name the first ones."""
+    """(labels, parts of a case) of the device and the cell that an entry names, else of the first ones."""
     labels, device = device_of(tier, entry.get("device"))
     name = entry.get("cell", next(iter(tier["cells"])))
     return labels | {"cell": name}, (device, tier["cells"][name])

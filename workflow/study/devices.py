@@ -10,8 +10,8 @@ CIRCLE = 180
 
 
 def circle_facts(geometry):
-    """Facts and outline of an array of circles from the geometry of a case: what runs of a solver that does not
-    state them are about."""
+    """Facts and outline of an array of circles from the geometry of a case: for runs of a solver that did not
+    state them."""
     radius, pitch, depth = (geometry[name] for name in ("pillar_radius_um", "pitch_um", "depth_um"))
     gap, angle = pitch - 2 * radius, np.linspace(0, 2 * math.pi, CIRCLE, endpoint=False)
     return {
