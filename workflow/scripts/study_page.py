@@ -117,8 +117,8 @@ def cell_lines(plan):
             name,
             entry.get("type", "the solver's default"),
             f"{kS:g}" if (kS := shear_modulus(plan, name)) else "",
+            ", ".join(f"{key} = {value}" for key, value in entry.get("cell", {}).items()),
         ]
-        + [", ".join(f"{key} = {value}" for key, value in entry.get("cell", {}).items())]
         for name, entry in plan["cells"].items()
     ]
     return markdown_table(["cell", "type", "shear modulus kS (µN/m)", "other settings"], rows)
