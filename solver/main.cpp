@@ -2,7 +2,8 @@
 ///
 ///   dld run case.json out.h5 --summary summary.json    simulate; the same command resumes after Ctrl-C
 ///   dld check case.json                                 resolved case, derived numbers, stability margins
-///   dld schema                                          JSON Schema of case files
+///   dld resolve cases.json out.json                     the same in short for many cases, for programs that
+///   plan dld schema                                          JSON Schema of case files
 ///
 /// Exit codes: 0 done, 2 bad parameters, 3 diverged, 4 input/output, 5 checkpoint of another case or build,
 /// 128 + signal when interrupted.
@@ -18,6 +19,8 @@
 #include "parameters/presets.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/report.hpp"
+#include "parameters/resolve.hpp"
+#include "parameters/work.hpp"
 #include "scene/registry.hpp"
 
 namespace {
@@ -43,14 +46,14 @@ struct RunOptions {
 
 // Prints the violated margins; true if none of them makes the run diverge, or if it is forced.
 bool may_run(const Case& c, const std::string& file, bool force) {
-  bool hold = true;
-  for (const auto& margin : stability_margins(c)) {
+  const auto margins = stability_margins(c);
+  for (const auto& margin : margins) {
     if (margin.ok) continue;
-    hold = hold && !margin.fails;
     std::cerr << file << ": " << (margin.fails ? "expected to diverge" : "expected to be inaccurate") << ": "
               << margin.name << " = " << margin.value << " " << margin.unit << ", the limit is "
               << margin.limit << "; " << margin.advice << "\n";
   }
+  const bool hold = !expected_to_diverge(margins);
   if (!hold && !force) std::cerr << file << ": refused because it is expected to diverge; see --force\n";
   return hold || force;
 }
@@ -77,22 +80,22 @@ void write_root_attributes(Hdf5File& out, const Case& c, const Json& summary, in
   out.attribute("/", "summary", summary.dump());
 }
 
-// The files of one run, by what they are called on the command line.
-std::vector<std::pair<std::string, std::filesystem::path>> files_of(const RunOptions& options) {
+// Files by what they are called on the command line.
+using NamedFiles = std::vector<std::pair<std::string, std::filesystem::path>>;
+
+NamedFiles files_of(const RunOptions& options) {
   const std::filesystem::path output = options.output_file;
-  std::vector<std::pair<std::string, std::filesystem::path>> files = {
-      {"case", options.case_file},
-      {"output", output},
-      {"checkpoint", output.string() + ".checkpoint"},
-      {"state of a diverged run", output.string() + ".last_good.checkpoint"},
-      {"XDMF file", std::filesystem::path(output).replace_extension(".xdmf")}};
+  NamedFiles files = {{"case", options.case_file},
+                      {"output", output},
+                      {"checkpoint", output.string() + ".checkpoint"},
+                      {"state of a diverged run", output.string() + ".last_good.checkpoint"},
+                      {"XDMF file", std::filesystem::path(output).replace_extension(".xdmf")}};
   if (!options.summary_file.empty()) files.emplace_back("summary", options.summary_file);
   return files;
 }
 
-// One file under two names (links included) would be overwritten by the run that reads it.
-void require_different_files(const RunOptions& options) {
-  const auto files = files_of(options);
+// One file under two names (links included) would be overwritten by the command that reads it.
+void require_different_files(const NamedFiles& files) {
   const auto same = [](const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code none;
     return std::filesystem::weakly_canonical(std::filesystem::absolute(a), none) ==
@@ -128,7 +131,7 @@ void write_summary(const std::filesystem::path& path, const Json& summary) {
 }
 
 int run(const RunOptions& options) {
-  require_different_files(options);
+  require_different_files(files_of(options));
   const Case c = read_case(options.case_file);
   if (!may_run(c, options.case_file, options.force)) return bad_parameters;
   catch_interrupts();
@@ -179,11 +182,32 @@ int check(const std::string& case_file, bool force) {
                        {"lattice", lattice_numbers(c)},
                        {"dimensionless", dimensionless_numbers(c)},
                        {"si", si_numbers(c)},
-                       {"memory_MiB", memory_MiB(c)},
+                       {"memory_MiB", memory_bytes(c) / (1024 * 1024)},
                        {"expected_cost", expected_cost(c)},
                        {"margins", margins_json(stability_margins(c))}};
   std::cout << report.dump(2) << "\n";
   return may_run(c, case_file, force) ? done : bad_parameters;
+}
+
+// One answer a line; 2 if a case of the file cannot be run.
+int resolve(const std::string& case_file, const std::string& output_file) {
+  if (!output_file.empty()) require_different_files({{"file of cases", case_file}, {"output", output_file}});
+  const Json answers = resolve_text(read_text(case_file), case_file);
+  std::string text = "[";
+  bool all_right = true;
+  for (const Json& answer : answers) {
+    all_right = all_right && answer["problems"].empty();
+    text += (text.size() > 1 ? ",\n" : "\n") + answer.dump();
+  }
+  text += "\n]\n";
+  if (output_file.empty()) {
+    std::cout << text;
+  } else {
+    const std::filesystem::path part = output_file + ".part";
+    write_durably(part, text);
+    rename_durably(part, output_file);
+  }
+  return all_right ? done : bad_parameters;
 }
 
 int command_line(int argc, char** argv) {
@@ -207,6 +231,11 @@ int command_line(int argc, char** argv) {
   check_command->add_option("case", case_file, "case file (JSON)")->required();
   bool force_check = false;
   check_command->add_flag("--force", force_check, "succeed although the case is expected to diverge");
+  CLI::App* resolve_command =
+      app.add_subcommand("resolve", "what many cases resolve to, what is wrong with them, what they cost");
+  std::string cases_file, answers_file;
+  resolve_command->add_option("cases", cases_file, "an array of cases, or one (JSON)")->required();
+  resolve_command->add_option("output", answers_file, "an array of answers (JSON); printed without it");
   CLI::App* schema_command = app.add_subcommand("schema", "print the JSON Schema of case files");
 
   try {
@@ -216,6 +245,7 @@ int command_line(int argc, char** argv) {
   }
   try {
     if (run_command->parsed()) return run(options);
+    if (resolve_command->parsed()) return resolve(cases_file, answers_file);
   } catch (const CLI::ValidationError& error) {
     std::cerr << error.what() << "\n";
     return bad_parameters;

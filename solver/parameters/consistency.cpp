@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "parameters/scene_rules.hpp"
 #include "parameters/text.hpp"
 
 namespace dld {
@@ -16,7 +17,8 @@ constexpr double rounding = 1e-6;
 // Half the largest thickness of the red blood cell shape, in units of its radius.
 constexpr double half_thickness_ratio = 0.33;
 
-// A length that must be a multiple of `unit_um`, the spacing or twice the spacing.
+}  // namespace
+
 void check_multiple(const std::string& pointer, double length_um, double unit_um,
                     const std::string& unit_name, bool zero_allowed, std::vector<Problem>& problems) {
   const double n = std::round(length_um / unit_um);
@@ -34,6 +36,8 @@ void check_depth(const Case& c, std::vector<Problem>& problems) {
   check_multiple("/geometry/depth_um", c.geometry.depth_um, half ? 2 * dx : dx,
                  half ? "2 lattice spacings (half height)" : "the lattice spacing", false, problems);
 }
+
+namespace {
 
 void check_array(const Case& c, std::vector<Problem>& problems) {
   const auto& g = c.geometry;
@@ -128,6 +132,8 @@ void check_size(const Case& c, std::vector<Problem>& problems) {
        "use at least " + number_text(std::ceil(1e4 * std::cbrt(volume_um3 / most_nodes)) / 1e4)});
 }
 
+}  // namespace
+
 void check_passage(const Case& c, std::vector<Problem>& problems) {
   check_array(c, problems);
   check_depth(c, problems);
@@ -180,15 +186,9 @@ void check_shear(const Case& c, std::vector<Problem>& problems) {
   }
 }
 
-}  // namespace
-
 std::vector<Problem> inconsistencies(const Case& c) {
   std::vector<Problem> problems;
-  if (c.scene == "passage") check_passage(c, problems);
-  if (c.scene == "streamlines") check_streamlines(c, problems);
-  if (c.scene == "stretching") check_stretching(c, problems);
-  if (c.scene == "channel") check_channel(c, problems);
-  if (c.scene == "shear") check_shear(c, problems);
+  rules_of(c.scene).check(c, problems);
   return problems;
 }
 

@@ -6,6 +6,7 @@
 #include "membrane/bending_law.hpp"
 #include "membrane/mesh.hpp"
 #include "parameters/presets.hpp"
+#include "parameters/scene_rules.hpp"
 #include "parameters/text.hpp"
 
 namespace dld {
@@ -43,8 +44,7 @@ Allowed any() {
 
 std::vector<Declaration> geometry_and_fluid() {
   return {
-      {"", "scene", at<&Case::scene>, one_of({"streamlines", "passage", "stretching", "channel", "shear"}),
-       "", "what is simulated"},
+      {"", "scene", at<&Case::scene>, one_of(scene_names()), "", "what is simulated"},
       {"", "accuracy", at<&Case::accuracy>, one_of(preset_names()), "",
        "numerical settings that take the place of the defaults; keys that are given stay"},
       {"geometry", "pillar_shape", at<&Case::geometry, &G::pillar_shape>, one_of(pillar_shape_names()), "",

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "membrane/bending_law.hpp"
+#include "parameters/scene_rules.hpp"
 #include "parameters/units.hpp"
 
 namespace dld {
@@ -169,15 +170,37 @@ void flow_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>
 
 }  // namespace
 
-std::vector<Margin> stability_margins(const Case& c) {
-  const bool passage = c.scene == "passage";
-  const bool coupled_stretching = c.scene == "stretching" && c.stretching.method == "coupled";
+std::vector<Margin> passage_margins(const Case& c) {
   const LatticeParameters l = simulated(c);
   std::vector<Margin> margins;
-  if (passage || coupled_stretching) membrane_margins(c, l, margins);
-  if (passage) contact_margins(c, margins);
-  if (passage || c.scene == "streamlines") flow_margins(c, l, margins);
+  membrane_margins(c, l, margins);
+  contact_margins(c, margins);
+  flow_margins(c, l, margins);
   return margins;
+}
+
+std::vector<Margin> streamlines_margins(const Case& c) {
+  std::vector<Margin> margins;
+  flow_margins(c, simulated(c), margins);
+  return margins;
+}
+
+std::vector<Margin> stretching_margins(const Case& c) {
+  std::vector<Margin> margins;
+  if (c.stretching.method == "coupled") membrane_margins(c, simulated(c), margins);
+  return margins;
+}
+
+std::vector<Margin> no_margins(const Case&) {
+  return {};
+}
+
+std::vector<Margin> stability_margins(const Case& c) {
+  return rules_of(c.scene).margins(c);
+}
+
+bool expected_to_diverge(const std::vector<Margin>& margins) {
+  return std::ranges::any_of(margins, [](const Margin& m) { return m.fails && !m.ok; });
 }
 
 const Margin* tightest(const std::vector<Margin>& margins) {

@@ -18,8 +18,17 @@ struct Margin {
   std::string advice;  ///< what to change when it is violated
 };
 
-/// Margins of a coupled run (passage, coupled stretching); empty for scenes without a coupled membrane.
+/// The margins of the case's scene.
 std::vector<Margin> stability_margins(const Case& c);
+
+/// Margins by scene: of the coupled membrane, of the contact and of the flow; of none where nothing is known.
+std::vector<Margin> passage_margins(const Case& c);
+std::vector<Margin> streamlines_margins(const Case& c);
+std::vector<Margin> stretching_margins(const Case& c);
+std::vector<Margin> no_margins(const Case& c);
+
+/// Is one violated that makes a run diverge?
+bool expected_to_diverge(const std::vector<Margin>& margins);
 
 /// The margin of largest share among those whose violation makes a run diverge; nullptr for an empty list.
 const Margin* tightest(const std::vector<Margin>& margins);

@@ -189,12 +189,9 @@ void apply_preset(const Json& root, Case& c) {
 CaseError::CaseError(const std::string& file, std::vector<Problem> list)
     : std::runtime_error(list_text(file, list)), problems(std::move(list)) {}
 
-Case parse_case(const std::string& text, const std::string& name) {
-  std::vector<Problem> problems;
-  const Json root = parse_json(text, problems);
-  if (!problems.empty()) throw CaseError(name, problems);
-
-  Case c;
+Reading read_tree(const Json& root) {
+  Reading reading;
+  auto& [c, problems] = reading;
   apply_preset(root, c);
   std::optional<double> epsilon;
   if (root.is_object() && !root.contains("scene")) {
@@ -212,20 +209,31 @@ Case parse_case(const std::string& text, const std::string& name) {
     }
     if (section == "geometry") epsilon = read_epsilon(*object, problems);
   }
-  if (!problems.empty()) throw CaseError(name, problems);
-
+  if (!problems.empty()) return reading;
   if (epsilon) c.geometry.row_shift_um = *epsilon * c.geometry.pitch_um;
   problems = inconsistencies(c);
-  if (!problems.empty()) throw CaseError(name, problems);
-  return c;
+  return reading;
 }
 
-Case read_case(const std::filesystem::path& path) {
+Case parse_case(const std::string& text, const std::string& name) {
+  std::vector<Problem> problems;
+  const Json root = parse_json(text, problems);
+  if (!problems.empty()) throw CaseError(name, problems);
+  Reading reading = read_tree(root);
+  if (!reading.problems.empty()) throw CaseError(name, reading.problems);
+  return reading.c;
+}
+
+std::string read_text(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
   if (!in) throw CaseError(path.string(), {{"", "", "a readable file", "check the path"}});
-  return parse_case(text.str(), path.string());
+  return text.str();
+}
+
+Case read_case(const std::filesystem::path& path) {
+  return parse_case(read_text(path), path.string());
 }
 
 }  // namespace dld

@@ -24,10 +24,22 @@ struct CaseError : std::runtime_error {
   std::vector<Problem> problems;
 };
 
+/// A case as it was understood, and all that is wrong with it; what is wrong keeps its default.
+struct Reading {
+  Case c;
+  std::vector<Problem> problems;
+};
+
+/// Resolves and checks the tree of one case.
+Reading read_tree(const nlohmann::ordered_json& root);
+
 /// Reads, resolves defaults and checks a file: syntax, names, types and ranges first, then the rules that
 /// join several parameters (consistency.hpp). Throws CaseError; IoError stays with output/, so a file
 /// that cannot be opened is a CaseError too.
 Case read_case(const std::filesystem::path& path);
+
+/// The text of a file; throws CaseError.
+std::string read_text(const std::filesystem::path& path);
 
 /// The same for a text; `name` stands for the file in messages.
 Case parse_case(const std::string& text, const std::string& name);

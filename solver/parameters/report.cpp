@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "parameters/scene_rules.hpp"
+
 namespace dld {
 
 using Json = nlohmann::ordered_json;
@@ -59,32 +61,13 @@ Json si_numbers(const Case& c) {
           {"resistance_Pa_s_per_m2_per_lu", si.resistance_Pa_s_per_m2_per_lu}};
 }
 
-double memory_MiB(const Case& c) {
-  if (c.scene == "stretching" && c.stretching.method == "static") return 1;
-  const LatticeParameters l = to_lattice(c);
-  const double dx = c.fluid.lattice_spacing_um;
-  double nodes = static_cast<double>(l.nx) * l.ny * l.nz;
-  if (c.scene == "shear") nodes = std::pow(c.shear.box_um / dx, 3);
-  // 19 populations (streamed in place), velocity, force, relaxation time and fluid mask.
-  const double numbers_per_node = 19 + 3 + 3 + 1 + 1;
-  return nodes * numbers_per_node * (c.fluid.precision == "single" ? 4 : 8) / (1024 * 1024);
-}
-
 Json expected_cost(const Case& c) {
-  if (c.scene != "passage" && c.scene != "streamlines") return nullptr;
-  constexpr double rate = 150e6, typical_rows = 10, array_share = 0.6;
-  const LatticeParameters l = to_lattice(c);
-  const double nodes = static_cast<double>(l.nx) * l.ny * l.nz *
-                       (1 - 3.14 * l.pillar_radius * l.pillar_radius / (static_cast<double>(l.nx) * l.ny));
-  const double slit_speed = l.force_density * l.depth * l.depth / (12 * l.viscosity);
-  const double diffusion_steps =
-      l.depth * l.depth / l.viscosity;  // the flow settles within about two of these
-  const double per_row = l.nx / (array_share * slit_speed);
-  const double steps = 2 * diffusion_steps + (c.scene == "passage" ? typical_rows * per_row : 0);
-  return {{"steps_per_row", c.scene == "passage" ? Json(std::round(per_row)) : Json(nullptr)},
-          {"steps", std::round(steps)},
-          {"node_updates", std::round(steps * nodes)},
-          {"seconds_on_one_core", std::round(steps * nodes / rate)}};
+  const ExpectedWork work = rules_of(c.scene).work(c);
+  return {{"steps_per_row", c.scene == "passage" ? Json(std::round(work.steps_per_row)) : Json(nullptr)},
+          {"steps", std::round(work.steps)},
+          {"node_updates", std::round(work.node_updates)},
+          {"membrane_updates", std::round(work.membrane_updates)},
+          {"seconds_on_one_core", std::round(100 * work.seconds_on_one_core) / 100}};
 }
 
 Json margins_json(const std::vector<Margin>& margins) {

@@ -17,12 +17,8 @@ nlohmann::ordered_json dimensionless_numbers(const Case& c);
 /// SI numbers for water-like fluid (1 mPa s) and a healthy cell (5.3 uN/m).
 nlohmann::ordered_json si_numbers(const Case& c);
 
-/// Estimate of the memory of the fields, MiB.
-double memory_MiB(const Case& c);
-
-/// What a passage or a cell-free flow will cost: steps per pillar row at the mean speed of an unobstructed
-/// slit times 0.6 (the array's share), node updates for a typical ten rows, and seconds at 150 million node
-/// updates per second, the rate of a core with AVX-512, the cell included, on the paper's lattice.
+/// What a run will cost: steps (of a passage also per pillar row), node updates, updates of membrane vertices
+/// and seconds on a core with AVX-512.
 nlohmann::ordered_json expected_cost(const Case& c);
 
 nlohmann::ordered_json margins_json(const std::vector<Margin>& margins);

@@ -4,6 +4,7 @@
 #include "parameters/declaration.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/reader.hpp"
+#include "parameters/scene_rules.hpp"
 
 namespace dld {
 namespace {
@@ -99,6 +100,9 @@ Json case_schema() {
   // An annotation: the defaults that each preset puts in place of those stated below.
   Json& annotation = root["properties"]["accuracy"]["x-presets"];
   for (const auto& p : presets()) annotation[p.name] = p.settings;
+  // And the sections that each scene reads: the others are without effect on a run.
+  Json& reads = root["properties"]["scene"]["x-sections"];
+  for (const auto& rules : scene_rules()) reads[rules.name] = rules.sections;
   Json& geometry = section_schema(root, "geometry");
   geometry["properties"]["epsilon"] = property(epsilon_declaration(), defaults);
   geometry["not"] = {{"required", {"epsilon", "row_shift_um"}}};

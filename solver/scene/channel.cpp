@@ -10,6 +10,8 @@
 #include <numbers>
 #include <vector>
 
+#include "parameters/consistency.hpp"
+#include "parameters/work.hpp"
 #include "scene/registry.hpp"
 #include "scene/setup.hpp"
 #include "scene/steady_flow.hpp"
@@ -35,7 +37,7 @@ double exact_velocity(double y, double z, double width, double depth, double f_o
   return u;
 }
 
-UnitCell channel_box(const Case& c, const LatticeParameters& l, int width) {
+UnitCell channel_cell(const Case& c, const LatticeParameters& l, int width) {
   constexpr int margin = 4;  // solid nodes beside a duct
   UnitCell cell;
   cell.nx = 2;
@@ -53,7 +55,7 @@ template <class Real>
 Status run(const Case& c, RunContext& context) {
   const LatticeParameters l = to_lattice(c);
   const int width = static_cast<int>(std::lround(c.channel.width_um / l.um_per_lu));
-  const UnitCell cell = channel_box(c, l, width);
+  const UnitCell cell = channel_cell(c, l, width);
   Lattice<Real> lattice(cell, make_fluid_model(c));
   lattice.set_threads(context.threads);
   lattice.set_uniform_force(l.force_density, 0.0, 0.0);
@@ -91,10 +93,20 @@ Status run(const Case& c, RunContext& context) {
   return steady.status;
 }
 
-}  // namespace
-
 Status run_channel(const Case& c, RunContext& context) {
   return with_precision(c, [&]<class Real>() { return run<Real>(c, context); });
+}
+
+}  // namespace
+
+Scene channel_scene() {
+  return {{.name = "channel",
+           .sections = {"geometry", "fluid", "stop", "channel", "output"},
+           .check = check_channel,
+           .margins = no_margins,
+           .work = channel_work,
+           .box = channel_box},
+          run_channel};
 }
 
 }  // namespace dld

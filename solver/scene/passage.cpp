@@ -18,7 +18,9 @@
 #include "measure/cross_section.hpp"
 #include "measure/return_map.hpp"
 #include "output/provenance.hpp"
+#include "parameters/consistency.hpp"
 #include "parameters/reader.hpp"
+#include "parameters/work.hpp"
 #include "scene/flow_output.hpp"
 #include "scene/monitor.hpp"
 #include "scene/passage_record.hpp"
@@ -366,10 +368,20 @@ class PassageRun {
   bool crossing_added_ = false, decided_ = false, extent_done_ = false;
 };
 
-}  // namespace
-
 Status run_passage(const Case& c, RunContext& context) {
   return with_precision(c, [&]<class Real>() { return PassageRun<Real>(c, context).run(); });
+}
+
+}  // namespace
+
+Scene passage_scene() {
+  return {{.name = "passage",
+           .sections = {"geometry", "fluid", "cell", "coupling", "stop", "output"},
+           .check = check_passage,
+           .margins = passage_margins,
+           .work = passage_work,
+           .box = passage_box},
+          run_passage};
 }
 
 }  // namespace dld

@@ -1,18 +1,19 @@
 #include "scene/registry.hpp"
 
-#include <array>
-#include <utility>
+#include <vector>
 
 namespace dld {
+
+// Each stands in the file of its scene. A new scene is added here.
+Scene streamlines_scene(), passage_scene(), stretching_scene(), channel_scene(), shear_scene();
+
 namespace {
 
-constexpr std::array<std::pair<const char*, SceneFunction>, 5> scenes{{
-    {"streamlines", run_streamlines},
-    {"passage", run_passage},
-    {"stretching", run_stretching},
-    {"channel", run_channel},
-    {"shear", run_shear},
-}};
+const std::vector<Scene>& scenes() {
+  static const std::vector<Scene> all = {streamlines_scene(), passage_scene(), stretching_scene(),
+                                         channel_scene(), shear_scene()};
+  return all;
+}
 
 }  // namespace
 
@@ -34,17 +35,20 @@ std::string to_string(Status status) {
   return "unknown";
 }
 
-SceneFunction find_scene(const std::string& name) {
-  for (const auto& [scene, function] : scenes) {
-    if (name == scene) return function;
-  }
-  return nullptr;
+const std::vector<SceneRules>& scene_rules() {
+  static const std::vector<SceneRules> all = [] {
+    std::vector<SceneRules> rules;
+    for (const Scene& scene : scenes()) rules.push_back(scene.rules);
+    return rules;
+  }();
+  return all;
 }
 
-std::vector<std::string> scene_names() {
-  std::vector<std::string> names;
-  for (const auto& [scene, function] : scenes) names.emplace_back(scene);
-  return names;
+SceneFunction find_scene(const std::string& name) {
+  for (const Scene& scene : scenes()) {
+    if (scene.rules.name == name) return scene.run;
+  }
+  return nullptr;
 }
 
 }  // namespace dld

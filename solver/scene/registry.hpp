@@ -1,22 +1,20 @@
 #pragma once
-/// The list of scenes. A new scene is one file and one line in registry.cpp (and its name in the
-/// parameter table).
+/// The list of scenes. A new scene is one file, which defines a function that returns its `Scene`, and its
+/// name in registry.cpp.
 #include <string>
-#include <vector>
 
+#include "parameters/scene_rules.hpp"
 #include "scene/scene.hpp"
 
 namespace dld {
 
-Status run_streamlines(const Case& c, RunContext& context);
-Status run_passage(const Case& c, RunContext& context);
-Status run_stretching(const Case& c, RunContext& context);
-Status run_channel(const Case& c, RunContext& context);
-Status run_shear(const Case& c, RunContext& context);
+/// A scene: what is known of it before it runs, and how it runs.
+struct Scene {
+  SceneRules rules;
+  SceneFunction run;
+};
 
 /// The scene of that name, nullptr if there is none.
 SceneFunction find_scene(const std::string& name);
-
-std::vector<std::string> scene_names();
 
 }  // namespace dld

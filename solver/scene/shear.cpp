@@ -10,6 +10,8 @@
 #include "coupling/coupled_cell.hpp"
 #include "measure/deformation.hpp"
 #include "output/interrupt.hpp"
+#include "parameters/consistency.hpp"
+#include "parameters/work.hpp"
 #include "scene/monitor.hpp"
 #include "scene/passage_record.hpp"
 #include "scene/registry.hpp"
@@ -18,7 +20,7 @@
 namespace dld {
 namespace {
 
-UnitCell shear_box(int n) {
+UnitCell shear_cell(int n) {
   UnitCell cell;
   cell.nx = cell.ny = cell.nz = n;
   cell.height = HeightBoundary::walls;
@@ -37,7 +39,7 @@ Status run(const Case& c, RunContext& context) {
 
   FluidModel fluid = make_fluid_model(c);
   fluid.wall_motion = {-wall_speed, wall_speed};
-  const UnitCell box = shear_box(n);
+  const UnitCell box = shear_cell(n);
   Lattice<Real> lattice(box, fluid);
   lattice.set_threads(context.threads);
   lattice.initialise([&](int, int, int z) {
@@ -103,10 +105,20 @@ Status run(const Case& c, RunContext& context) {
   return status;
 }
 
-}  // namespace
-
 Status run_shear(const Case& c, RunContext& context) {
   return with_precision(c, [&]<class Real>() { return run<Real>(c, context); });
+}
+
+}  // namespace
+
+Scene shear_scene() {
+  return {{.name = "shear",
+           .sections = {"fluid", "cell", "coupling", "stop", "shear", "output"},
+           .check = check_shear,
+           .margins = no_margins,
+           .work = shear_work,
+           .box = shear_box},
+          run_shear};
 }
 
 }  // namespace dld

@@ -8,6 +8,8 @@
 /// Try: dld run params/cases/streamlines.json /tmp/streamlines.h5
 #include "measure/streamlines.hpp"
 
+#include "parameters/consistency.hpp"
+#include "parameters/work.hpp"
 #include "scene/flow_output.hpp"
 #include "scene/monitor.hpp"
 #include "scene/registry.hpp"
@@ -88,10 +90,20 @@ Status run(const Case& c, RunContext& context) {
   return steady.status;
 }
 
-}  // namespace
-
 Status run_streamlines(const Case& c, RunContext& context) {
   return with_precision(c, [&]<class Real>() { return run<Real>(c, context); });
+}
+
+}  // namespace
+
+Scene streamlines_scene() {
+  return {{.name = "streamlines",
+           .sections = {"geometry", "fluid", "stop", "output"},
+           .check = check_streamlines,
+           .margins = streamlines_margins,
+           .work = streamlines_work,
+           .box = streamlines_box},
+          run_streamlines};
 }
 
 }  // namespace dld

@@ -14,6 +14,8 @@
 
 #include "coupling/coupled_cell.hpp"
 #include "output/interrupt.hpp"
+#include "parameters/consistency.hpp"
+#include "parameters/work.hpp"
 #include "scene/monitor.hpp"
 #include "scene/registry.hpp"
 #include "scene/setup.hpp"
@@ -181,8 +183,6 @@ void write_results(const Case& c, const TriangleMesh& reference_um, const std::v
   s["membrane_updates"] = total * reference_um.vertices.rows();
 }
 
-}  // namespace
-
 Status run_stretching(const Case& c, RunContext& context) {
   Status status = Status::converged;
   const TriangleMesh mesh = make_cell(c.cell.shape, c.cell.mesh_frequency, c.cell.radius_um);
@@ -198,6 +198,18 @@ Status run_stretching(const Case& c, RunContext& context) {
   if (status == Status::interrupted) return status;
   write_results(c, mesh, results, context);
   return status;
+}
+
+}  // namespace
+
+Scene stretching_scene() {
+  return {{.name = "stretching",
+           .sections = {"geometry", "fluid", "cell", "coupling", "stop", "stretching", "output"},
+           .check = check_stretching,
+           .margins = stretching_margins,
+           .work = stretching_work,
+           .box = stretching_box},
+          run_stretching};
 }
 
 }  // namespace dld
