@@ -1,4 +1,4 @@
-"""README.md and the page of the results: numbers made from the results, never typed; a README of one screen."""
+"""README.md and the page of the results: numbers are made, never typed; a README of one screen."""
 
 import re
 import shutil

@@ -4,6 +4,7 @@ import os
 import tomllib
 from pathlib import Path
 
+import pandas as pd
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from study import results_page
 from study.arguments import required_arguments
@@ -17,7 +18,7 @@ def context(arguments):
     tables = Path(arguments.results) / "tables"
     folder = Path(arguments.output).parent
     found = {path.stem: read_table(path) for path in sorted(tables.glob("*.csv"))}
-    verdicts, printed = read_table(arguments.verdicts), read_json(arguments.claims)
+    verdicts, printed = pd.read_csv(arguments.verdicts, dtype=str), read_json(arguments.claims)
     declared = tomllib.loads(Path(arguments.numbers).read_text(encoding="utf-8"))["numbers"]
     law = next(claim for claim in printed["claims"] if claim["id"] == "phase-boundary")
     numbers = [
