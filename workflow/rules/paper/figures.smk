@@ -3,7 +3,7 @@
 Data rules read HDF5 and write CSV; drawing rules read CSV alone.
 """
 
-FIGURE_NAMES = ["fig01", "fig02", "fig03", "fig04", "fig05", "fig06", "fig06_classes", "fig07", "table01"]
+FIGURE_NAMES = ["fig01", "fig02", "fig03", "fig04", "fig05", "fig06", "fig06_classes", "fig07", "table01", "glossary"]
 FIGURE_FILES = expand("{folder}/{name}.{ext}", folder=FIGURES, name=FIGURE_NAMES, ext=["pdf", "png", "csv"])
 FIGURE_FILES += expand("{folder}/fig08{part}", folder=FIGURES, part=[".pdf", ".png"])
 ANIMATION_FILES = expand("{folder}/animation_{name}.gif", folder=FIGURES, name=PLAN["figures"]["animations"])
@@ -48,6 +48,19 @@ rule figure_geometry:
         multiext(f"{FIGURES}/fig02", pdf=".pdf", png=".png", csv=".csv"),
     log:
         f"{LOGS}/fig02.log",
+    shell:
+        "python {input.script} --plan {input.plan} --csv {output.csv} --output {output.pdf} 2> {log}"
+
+
+rule figure_glossary:
+    input:
+        plan=PLAN_FILE,
+        script=f"{SCRIPTS}/fig_glossary.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/glossary", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/glossary.log",
     shell:
         "python {input.script} --plan {input.plan} --csv {output.csv} --output {output.pdf} 2> {log}"
 

@@ -1,9 +1,10 @@
-"""The report: one HTML file without outside parts, for reading the results in a browser; and, on request,
-the numbers of README.md."""
+"""The report: one HTML file without outside parts, for reading the results in a browser; the page of the
+results; and, on request, the line of verdicts in README.md."""
 
 import hashlib
 
-REPORT_FILES = [f"{RESULTS}/report.html"]
+RESULTS_PAGE = "docs/results.md" if TIER == "paper" else f"{RESULTS}/results.md"
+REPORT_FILES = [f"{RESULTS}/report.html", RESULTS_PAGE]
 REPORT_GROUPS = ["streamlines", "stokes", "stretching", "passages", "sensitivity"]  # runs of the study itself
 
 
@@ -56,7 +57,7 @@ rule report:
         script=f"{SCRIPTS}/report.py",
         package=PACKAGE,
     output:
-        REPORT_FILES,
+        REPORT_FILES[0],
     log:
         f"{LOGS}/report.log",
     params:
@@ -72,21 +73,39 @@ rule report:
         """
 
 
-# On request: the text is the project's own, and only its numbers come from the results. What the boundary
-# depends on is shown if the target `uncertainty` was made.
-rule readme:
+rule results_page:
     input:
-        tables=expand("{folder}/{name}.csv", folder=TABLES, name=["stage_times", "phase_boundary", "second_starts"]),
+        plan=PLAN_FILE,
+        tables=FLOW_TABLES + STRETCHING_TABLES + BOUNDARY_TABLES + PASSAGE_TABLES,
         verdicts=rules.claims.output.csv,
         claims=CLAIMS,
-        script=f"{SCRIPTS}/readme_numbers.py",
+        numbers="paper/numbers.toml",
+        template="workflow/templates/results.md.j2",
+        script=f"{SCRIPTS}/results_page.py",
+        package=PACKAGE,
+    output:
+        RESULTS_PAGE,
+    log:
+        f"{LOGS}/results_page.log",
+    params:
+        results=RESULTS,
+        root=".",
+        others=made_on_request,
+    shell:
+        """
+        python {input.script} --plan {input.plan} --results {params.results} --verdicts {input.verdicts} \
+            --claims {input.claims} --numbers {input.numbers} --template {input.template} --root {params.root} \
+            --output {output} 2> {log}
+        """
+
+
+# On request: the text is the project's own, and only the line of verdicts comes from the results.
+rule readme:
+    input:
+        verdicts=rules.claims.output.csv,
+        script=f"{SCRIPTS}/readme_verdicts.py",
         package=PACKAGE,
     log:
         f"{LOGS}/readme.log",
-    params:
-        tables=TABLES,
     shell:
-        """
-        python {input.script} --readme README.md --tables {params.tables} --verdicts {input.verdicts} \
-            --claims {input.claims} 2> {log}
-        """
+        "python {input.script} --readme README.md --verdicts {input.verdicts} 2> {log}"

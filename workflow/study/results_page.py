@@ -1,14 +1,17 @@
-"""The numbers of README.md: Markdown tables made from the results, kept between marks in the text."""
+"""The page of the results, docs/results.md: Markdown tables made from the results around plain words; and the
+line of verdicts, kept between marks in README.md."""
 
 import math
 import re
 
 from study.boundary import PARAMETERS, UNDISPUTED, critical_capillary_number
+from study.claims import SWEEP
 from study.grades import counted
+from study.manuscript import MISSING, expanded, number
 from study.points import STUDY_GROUPS
 from study.tables import markdown_table
 
-#: Series of brackets that the boundary of the README shows; the first is set against the printed one.
+#: Series of brackets that the boundary shows; the first is set against the printed one.
 SHOWN = ["default", "corrected", "hinge_sphere", "hinge_sheet", "blocked"]
 NO_DOUBTS = "What the brackets depend on was not made yet: `snakemake --cores 2 uncertainty`."
 
@@ -103,3 +106,46 @@ def starts(table):
 def verdicts(table):
     """How many claims came out and how many did not."""
     return f"**Claims: {counted(table.verdict).lower()}.**"
+
+
+#: Rules that guess the class without following the cell, in words; the shape of the cell comes from these.
+RULES = {
+    "tweezer_printed_law": "extent of the stretched cell, s by the printed law",
+    "tweezer": "extent of the stretched cell, s as simulated",
+    "d_perp": "extent at the pillar, from the passage itself",
+    "centre": "centre at the gap line beyond s, from the passage itself",
+}
+
+
+def rules(table):
+    """How often each rule of the class was right on the grid; None where there is no such sweep."""
+    rows = table[(table.sweep == SWEEP) & table.rule.isin(RULES)].set_index("rule")
+    lines = []
+    for rule in (rule for rule in RULES if rule in rows.index):
+        right, wrong = (int(rows[name][rule]) for name in ("right", "wrong"))
+        work = rows.node_updates[rule]
+        lines.append([RULES[rule], f"{right} of {right + wrong}", f"{work:.1e}" if work else "none"])
+    titles = ["rule", "cells right", "work / node updates"]
+    return "\n".join(markdown_table(titles, lines)) if lines else None
+
+
+def readings(declared):
+    """What each series shown is, in the words of the claims."""
+    words = {one["id"]: one["description"] for one in declared}
+    return "\n".join(markdown_table(["column", "what it is"], [[f"`{name}`", words[name]] for name in SHOWN]))
+
+
+def claim_line(table, name):
+    """One claim with what was measured and its verdict as an item of a list; empty where it is not judged."""
+    for row in table[table.id == name].to_dict("records"):
+        measured = row["measured"] if isinstance(row["measured"], str) else "not measured"
+        claim = row["claim"][0].upper() + row["claim"][1:]
+        return f"- {claim}. Measured: {measured}. **{row['verdict'].capitalize()}.**"
+    return ""
+
+
+def declared_number(declared, tables, key):
+    """A number of the article by its key, as paper/numbers.toml declares it; None where the tier lacks it."""
+    entries = (entry for group in declared for entry in expanded(group))
+    text = number(next(entry for entry in entries if entry["key"] == key), tables, {})
+    return None if text == MISSING else text
