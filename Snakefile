@@ -1,7 +1,8 @@
 """Reproduction of a deformability-based DLD separation study: solver, runs, tables, figures, verdicts.
 
     snakemake --cores 2                       the whole study, into results/
-    snakemake --cores 2 --config tier=smoke   every rule on a coarse lattice, into results/smoke/
+    snakemake --cores 2 --config tier=quick   the paper's cells without brackets, into results/quick/
+    snakemake --cores 2 --config tier=smoke   a test of every rule on a coarse lattice, into results/smoke/
 
 The runs of a tier stand in params/study.json; workflow/study/plan.py resolves them.
 """

@@ -136,7 +136,8 @@ def _known_names(tier):
     for path, names, known in listed:
         for number, name in enumerate(names):
             yield [*path, number], name, known
-    yield ["sensitivity", "boundary", "reference"], asked["reference"], series
+    if asked["choices"]:
+        yield ["sensitivity", "boundary", "reference"], asked["reference"], series
     for number, row in enumerate(tier["uncertainty"]["rows"]):
         for side in ("series", "reference"):
             yield ["uncertainty", "rows", number, side], row[side], [*series, *tier["uncertainty"]["series"]]
