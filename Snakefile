@@ -2,7 +2,8 @@
 
     snakemake --cores 2                         the study of the paper, into results/
     snakemake --cores 2 --config study=triangle another study, params/studies/triangle.json, into results/triangle/
-    snakemake --cores 2 --config tier=smoke     every rule on a coarse lattice, into results/smoke/
+    snakemake --cores 2 --config tier=quick     the paper's cells without brackets, into results/quick/
+    snakemake --cores 2 --config tier=smoke     a test of every rule on a coarse lattice, into results/smoke/
 
 The runs of a tier stand in the file of its study; workflow/study/plan.py resolves them.
 """
@@ -12,18 +13,23 @@ import sys
 from glob import glob
 from pathlib import Path
 
+from snakemake.exceptions import WorkflowError
 from snakemake.utils import min_version
 
 min_version("9.0")
+os.environ["PYTHONPATH"] = os.path.join(workflow.basedir, "workflow")  # the programs use the package of this tree
 os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
 sys.path.insert(0, os.path.join(workflow.basedir, "workflow"))
 
+from study import progress
+from study.failures import failed_runs, forget
 from study.folders import PAPER, results_folder, study_file
+from study.lock import Busy, only_looks, taken
 from study.plan import ids, load_plan, load_study, study_brackets, validated, write_plan
 from study.points import STUDY_GROUPS
 from study.validation import hint
 
-OPTIONS = ["study", "tier", "dld", "sample", "seed", "most_node_updates"]  # of --config
+OPTIONS = ["study", "tier", "dld", "sample", "seed", "most_node_updates", "only", "claim"]  # of --config
 for name in config:
     if name not in OPTIONS:
         raise ValueError(f"--config {name}: unknown; {hint(name, OPTIONS)}")
@@ -32,8 +38,16 @@ STUDY_TEXT = load_study(STUDY)
 TIER = str(config.get("tier", next(iter(STUDY_TEXT["tiers"]))))
 PLAN = load_plan(STUDY, TIER)
 RESULTS = results_folder(STUDY, TIER, STUDY_TEXT["tiers"])
-PLAN_FILE = write_plan(PLAN, f"{RESULTS}/plan.json")
 RUNS = "results/runs"  # shared by all studies and tiers: a run's name is its case
+PLANNED = [run["id"] for run in PLAN["runs"]]
+if workflow.is_main_process and not only_looks(sys.argv[1:]):
+    try:
+        LOCK = taken(".snakemake/study.lock", sys.argv)  # held while this process lives
+    except Busy as who:
+        raise WorkflowError(str(who)) from None
+    forget(PLANNED, RUNS, f"{RESULTS}/brackets")
+progress.describe(PLAN, workflow.cores)
+PLAN_FILE = write_plan(PLAN, f"{RESULTS}/plan.json")
 TABLES, FIGURES, LOGS = (f"{RESULTS}/{name}" for name in ("tables", "figures", "logs"))
 SCRIPTS = "workflow/scripts"
 PACKAGE = sorted(glob("workflow/study/*.py"))  # every analysis depends on it
@@ -70,6 +84,7 @@ if "claims" in STUDY_TEXT:  # the study of a paper, judged by what is printed
     include: "workflow/rules/paper/claims.smk"
     include: "workflow/rules/paper/report.smk"
     include: "workflow/rules/paper/paper.smk"
+    include: "workflow/rules/paper/redraw.smk"
 
     ALL_FILES = [
         *FLOW_TABLES,
@@ -103,8 +118,13 @@ onstart:
     # scheduler every second until the end: half a core after 130 runs. One machine needs no such limit.
     if workflow.local_exec:
         workflow.scheduler.job_rate_limiter = None
+    dag = workflow.dag
+    progress.planned((dag.jobid(job), job.rule.name, job.wildcards_dict, job.threads) for job in dag.needrun_jobs())
 
 
 onsuccess:
-    if "claims" in STUDY_TEXT and Path(CLAIM_FILES[0]).exists():
+    if "claims" in STUDY_TEXT and {job.rule.name for job in workflow.dag.targetjobs} & {"all", "claims", "redraw"}:
         shell(f"python {SCRIPTS}/print_claims.py {CLAIM_FILES[0]}")
+    if failed := failed_runs(PLANNED, RUNS):
+        told = "\n".join(f"  {RUNS}/{run}: {why}" for run, why in failed.items())
+        raise WorkflowError(f"{len(failed)} runs failed; all else is made, the next call tries them again:\n{told}")

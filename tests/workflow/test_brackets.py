@@ -7,8 +7,8 @@ import sys
 import pytest
 from study import brackets
 
-CAPILLARY = {"name": "test", "axis": "capillary_number", "tolerance": 0.03}
-ROW_SHIFT = {"name": "test", "axis": "row_shift_um", "step": 0.4}
+CAPILLARY = {"name": "test", "axis": "capillary_number", "tolerance": 0.03, "levels": 5}
+ROW_SHIFT = {"name": "test", "axis": "row_shift_um", "step": 0.4, "levels": 5}
 
 
 def state_of(classes, definition=CAPILLARY):
@@ -39,6 +39,11 @@ def test_each_level_divides_the_logarithm_by_three():
     state = state_of({0.1: "displaced", 2.7: "zigzag"})
     assert state["next"] == [0.3, 0.9]
     assert state["status"] == "open"
+
+
+def test_a_bracket_of_no_levels_says_that_it_comes_from_the_cells():
+    state = state_of({0.1: "displaced", 2.7: "zigzag"}, CAPILLARY | {"levels": 0})
+    assert state["status"] == brackets.FROM_CELLS
 
 
 @pytest.mark.parametrize(("name", "low", "high"), [("displaced", 2.4, None), ("zigzag", None, 0.1)])

@@ -24,7 +24,7 @@ rule build:
     shell:
         """
         exec > {log} 2>&1
-        cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
+        workflow/scripts/configure
         cmake --build build --target dld -j {threads}
         touch {output}
         """

@@ -7,6 +7,7 @@ import numpy as np
 from study import style
 from study.arguments import figure_arguments
 from study.boundary import PARAMETERS, UNDISPUTED, bootstrap_boundary, brackets_of, law
+from study.brackets import FROM_CELLS
 from study.claims import load_claims
 from study.passages import DECIDED
 from study.plan import read_json
@@ -99,6 +100,8 @@ def draw_ours(axes, table, panel):
     ours = {"color": style.GREEN, "zorder": 4}
     law_of = table[(table.kind == "fit") & (table.series == panel)]
     label = r"ours: hinge_half, $c=\sqrt{3}/2$"
+    if (table.status == FROM_CELLS).any():
+        label += f",\n{FROM_CELLS}, no brackets"
     axes.plot(law_of.capillary_number, law_of.d_um, lw=1.6, label=label, **ours)
     ends = (law_of[name].astype(float) for name in ("d_low_um", "d_high_um"))
     axes.fill_between(law_of.capillary_number, *ends, color=style.GREEN, alpha=0.25, lw=0)
@@ -114,7 +117,10 @@ def draw(axes, table, panel):
     paper = table[table.kind == "paper"]
     dashes = {"color": style.BLACK, "ls": (0, (5, 2)), "zorder": 5}
     axes.plot(paper.capillary_number, paper.d_um, label="paper, Eq. (5)", **dashes)
-    draw_ours(axes, table, panel)
+    if (table.kind == "cell").any() or (table.kind == "bracket").any():
+        draw_ours(axes, table, panel)
+    else:
+        style.say_no_runs(axes)
     for series, (colour, line, label) in OTHERS.items():
         rows = table[table.kind.isin(["fit", "middle"]) & (table.series == series)]
         if len(rows):

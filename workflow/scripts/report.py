@@ -51,6 +51,7 @@ def context(arguments):
     provenance = report.as_rows(pd.read_csv(arguments.provenance, dtype=str).fillna(""))
     return {
         "tier": plan["tier"],
+        "note": plan["note"],
         "verdicts": verdicts.to_dict("records"),
         "grades": list(GRADES),
         "counts": Counter(verdicts.verdict),

@@ -14,6 +14,8 @@ from study.passages import DECIDED
 #: Where the value of an axis stands in a case.
 AXES = {"capillary_number": ("cell", "capillary_number"), "row_shift_um": ("geometry", "row_shift_um")}
 DIGITS = 4  # of a capillary number chosen by a bracket
+#: Status of a boundary that was not looked for: the neighbouring cells of a sweep whose classes differ.
+FROM_CELLS = "from the cells of the sweeps"
 
 
 def at_value(case, axis, value):
@@ -61,10 +63,13 @@ def narrow(low, high, definition):
 
 
 def status_of(points, definition):
-    """bracketed, all-displaced, all-zigzag, or open: something undecided is in the way."""
+    """bracketed, all-displaced, all-zigzag, or open: something undecided is in the way; FROM_CELLS where no
+    level was to narrow it."""
     low, high, _ = cut(points)
     if low is not None and high is not None:
-        return "bracketed" if narrow(low, high, definition) else "open"
+        if narrow(low, high, definition):
+            return "bracketed"
+        return "open" if definition["levels"] else FROM_CELLS
     if low is not None and points[-1]["class"] == "displaced":
         return "all-displaced"
     if high is not None and points[0]["class"] == "zigzag":

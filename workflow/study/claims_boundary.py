@@ -3,6 +3,7 @@
 import numpy as np
 
 from study.boundary import PARAMETERS, UNDISPUTED, law
+from study.brackets import FROM_CELLS
 from study.claims import (
     PAPER_RANGE,
     SERIES,
@@ -68,6 +69,8 @@ def phase_boundary(tables, claim, _):
     others = {name: fitted(tables, name) for name in (*OTHERS, "paper-text")}
     note = "; ".join(f"{name}: {text(rows)}" for name, rows in others.items() if rows is not None)
     interval = ", ".join(f"{name} {row.low:.2f} ... {row.high:.2f}" for name, row in found.iterrows())
+    if (boundary.status == FROM_CELLS).any():
+        note = "; ".join(filter(None, (f"boundary {FROM_CELLS}, without brackets", note)))
     runs = runs_of(boundary.rename(columns={"runs": "run"}))
     off = distance(found)
     holding = statements_that_hold(claim, lambda _: agrees_with_text(boundary, claim["statements"]))

@@ -64,11 +64,11 @@ def details(rows):
     return markdown_table(titles, cells)
 
 
-def page(rows, readings, tier):
-    """The whole page."""
+def page(rows, readings, tier, note=""):
+    """The whole page; a tier's `note` stands on top."""
     grades = [f"- {grade}: {meaning}." for grade, meaning in GRADES.items()]
     parts = [
-        [f"# Verdicts on the paper's claims ({tier} tier)"],
+        [f"# Verdicts on the paper's claims ({tier} tier)", *(["", f"**{note}**"] if note else [])],
         counts(rows, readings),
         [f"The verdicts are the grades in the reading `{readings[0]['id']}`, by what matters most:"],
         in_order(rows),

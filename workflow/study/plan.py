@@ -111,11 +111,58 @@ def run_id(case, solver_model):
     return _fingerprint({"case": case, "solver_model": solver_model})
 
 
+#: What a tier has that leaves a part of the study out, once it was found to follow its schema.
+LEFT_OUT = {
+    "uncertainty": {"case": {}, "series": {}, "rows": []},
+    "sensitivity": {
+        "case": {},
+        "flow_case": {},
+        "points": [],
+        "choices": {},
+        "boundary": {
+            "reference": "",
+            "choices": [],
+            "row_shifts_um": [],
+            "ca_range": [0.1, 1.0],
+            "levels": 1,
+        },
+    },
+}
+
+
+def _taken_away(full, overlay, place):
+    """`full` without what the overlay gives as null; a ValueError where a null takes nothing away."""
+    kept = dict(full)
+    for key, value in overlay.items():
+        if value is None and key not in full:
+            found = (
+                f"{pointer([*place, key])}: null takes away what the extended tier has, and it has no '{key}'"
+            )
+            raise ValueError(f"{found}; {hint(key, full)}")
+        if value is None:
+            del kept[key]
+        elif isinstance(value, dict) and isinstance(full.get(key), dict):
+            kept[key] = _taken_away(full[key], value, [*place, key])
+    return kept
+
+
 def expanded(tiers, name):
-    """A tier with what it does not say itself taken from the tier that it `extends`."""
-    full = merged(*(tiers[part] for part in reversed(chain(tiers, name))))
-    full.pop("extends", None)
-    return full
+    """A tier with what it does not say itself taken from the tier that it `extends`, and without what it
+    gives as null."""
+    *own, first = chain(tiers, name)
+    full = tiers[first]
+    for part in reversed(own):
+        full = _taken_away(full, tiers[part], ["tiers", part])
+        full = merged(full, _without_nulls(tiers[part]))
+    return {key: value for key, value in full.items() if key != "extends"}
+
+
+def _without_nulls(overlay):
+    return {
+        key: _without_nulls(value) if isinstance(value, dict) else value
+        for key, value in overlay.items()
+        if value is not None
+    }
 
 
 def load_study(path):
@@ -132,6 +179,8 @@ def load_study(path):
         raise ValueError(listing(path, [str(error)])) from None
     found = list(violations(in_full, read_json(SCHEMAS / "study.schema.json")))
     if not found:  # only a study that follows its schema has the names and ranges that are compared
+        if "claims" in study:  # the rules of the print ask every tier for these
+            in_full["tiers"] = {name: LEFT_OUT | tier for name, tier in in_full["tiers"].items()}
         found = [
             (["tiers", name, *place], text)
             for name, tier in in_full["tiers"].items()

@@ -6,17 +6,18 @@ import subprocess
 import time
 from pathlib import Path
 
+from study.failures import FAILED, status_of
 from study.passages import DECIDED
-from study.plan import read_json, run_id
+from study.plan import run_id
 
 FINISHED = (*DECIDED, "undecided", "diverged")
+ENDED = (*FINISHED, FAILED)
 
 
 def status_in(folder):
-    """Class of a finished run in its folder; None if it is not there or was interrupted."""
+    """Class of a run that ended in its folder; None if it is not there or was interrupted."""
     summary = folder / "summary.json"
-    status = read_json(summary)["status"] if summary.exists() else None
-    return status if status in FINISHED else None
+    return status if (status := status_of(summary)) in ENDED else None
 
 
 def solved(case, solver_model, runs, runner, dld):
@@ -29,7 +30,7 @@ def solved(case, solver_model, runs, runner, dld):
     folder.mkdir(parents=True, exist_ok=True)
     with (folder / "lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
-        if status_in(folder) is None:
+        if status_in(folder) not in FINISHED:
             (folder / "case.json").write_text(json.dumps(case, indent=2) + "\n", encoding="utf-8")
             started = time.perf_counter()
             files = [folder / name for name in ("case.json", "run.h5", "summary.json")]

@@ -69,8 +69,18 @@ def new_figure(width, height, **options):
     return plt.figure(figsize=(width, height), **options)
 
 
+def say_no_runs(axes):
+    """Says in an empty plot why it is empty."""
+    look = {"ha": "center", "va": "center", "color": VERMILION, "fontsize": 8}
+    axes.text(0.5, 0.5, "no runs in this tier", transform=axes.transAxes, zorder=9, **look)
+
+
 def save(figure, pdf_path, note=""):
-    """Saves the figure as PDF and, beside it, PNG, without dates; a tier's `note` is shown on top."""
+    """Saves the figure as PDF and, beside it, PNG, without dates; a tier's `note` is shown on top. Plots
+    without data say so."""
+    for axes in figure.axes:
+        if axes.axison and not axes.has_data() and not axes.texts:
+            say_no_runs(axes)
     if note:
         figure.suptitle(note, fontsize=8, color=VERMILION, weight="bold")
     path = Path(pdf_path)

@@ -166,7 +166,8 @@ def _names_of_sensitivity(tier):
         f"sensitivity/{choice}/{value}" for choice in asked["choices"] for value in choices.get(choice, ())
     ]
     yield from _listed(["sensitivity", "boundary", "choices"], asked["choices"], choices)
-    yield ["sensitivity", "boundary", "reference"], asked["reference"], series
+    if asked["choices"]:
+        yield ["sensitivity", "boundary", "reference"], asked["reference"], series
     for choice, values in choices.items():
         for value, entry in values.items():
             if "series" in entry:

@@ -5,6 +5,7 @@ CLAIM_FILES = [f"{RESULTS}/claims.csv", f"{RESULTS}/claims.md"]
 
 rule claims:
     input:
+        plan=PLAN_FILE,
         claims=CLAIMS,
         tables=FLOW_TABLES + STRETCHING_TABLES + BOUNDARY_TABLES + PASSAGE_TABLES,
         experiment=EXPERIMENT,
@@ -17,10 +18,8 @@ rule claims:
         f"{LOGS}/claims.log",
     params:
         tables=TABLES,
-        tier=TIER,
-        whole="" if TIER == "smoke" else "--whole",
     shell:
         """
-        python {input.script} --claims {input.claims} --tables {params.tables} --tier {params.tier} {params.whole} \
+        python {input.script} --claims {input.claims} --tables {params.tables} --plan {input.plan} \
             --experiment {input.experiment} --csv {output.csv} --markdown {output.md} 2> {log}
         """

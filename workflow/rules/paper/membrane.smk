@@ -23,7 +23,7 @@ rule build_bending_laws:
     shell:
         """
         exec > {log} 2>&1
-        cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
+        workflow/scripts/configure
         cmake --build build --target bending_laws -j {threads}
         touch {output}
         """

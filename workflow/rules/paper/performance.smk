@@ -23,7 +23,7 @@ rule performance_table:
     threads: 2
     shell:
         """
-        cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release > {log} 2>&1
+        workflow/scripts/configure > {log} 2>&1
         cmake --build build --target performance >> {log} 2>&1
         build/performance > {output} 2>> {log}
         """
