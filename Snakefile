@@ -42,6 +42,7 @@ wildcard_constraints:
 
 
 include: "workflow/rules/build.smk"
+include: "workflow/rules/cluster.smk"
 include: "workflow/rules/runs.smk"
 include: "workflow/rules/flow.smk"
 include: "workflow/rules/membrane.smk"
@@ -76,6 +77,10 @@ rule all:
         CLAIM_FILES,
         REPORT_FILES,
         PAPER_FILES,
+
+
+# Jobs of a cluster; all else takes seconds.
+workflow.localrules(*(r.name for r in workflow.rules if r.name not in ("solve", "bracket_point", "bracket_confirm")))
 
 
 onstart:
