@@ -1,8 +1,8 @@
-"""What a job of a cluster asks for: minutes and memory by the solver's own estimate of a case, and which short runs
-share a job.
+"""What a job of a cluster asks for: minutes and memory by the solver's own estimate of a case, and which
+short runs share a job.
 
-The estimate is one of seconds on a core with AVX-512 and of the fields' memory. Of 2262 committed runs, 95 % took at
-most 3.3 times the seconds, all at most 7.8 times (docs/cluster.md).
+The estimate is one of seconds on a core with AVX-512 and of the fields' memory. Of 2262 runs of the study,
+95 % took at most 3.3 times the seconds, all at most 7.8 times (docs/cluster.md).
 """
 
 import json
@@ -15,12 +15,12 @@ from study.schedule import expected_updates
 
 #: Node updates a second of one core, as `dld check` counts with: for scenes of which it knows no cost.
 RATE = 150e6
-#: A job asks for this times the seconds estimated, doubled with every attempt: a run that is stopped goes on from
-#: its checkpoint, so asking for too little costs a start and no work.
+#: A job asks for this times the seconds estimated, doubled with every attempt: a run that is stopped goes on
+#: from its checkpoint, so asking for too little costs a start and no work.
 TIME_FACTOR = 8
 #: Python and Snakemake of a job in minutes and MiB, beside the solver.
 OVERHEAD_MINUTES, OVERHEAD_MIB = 2, 600
-#: Runs of at most so many seconds share a job with others of their group; how many, says the cluster's profile.
+#: Runs of at most so many seconds share a job with others of their group; how many, says the profile.
 GROUPS = {"runs_of_seconds": 15, "runs_of_a_minute": 60}
 
 
@@ -40,8 +40,8 @@ def _estimate(dld, text):
 
 
 def estimate(dld, case):
-    """(seconds, MiB) that a resolved case takes on one core, without any margin; by the schedule's rule where the
-    solver is not built or has no estimate."""
+    """(seconds, MiB) that a resolved case takes on one core, without any margin; by the schedule's rule where
+    the solver is not built or has no estimate."""
     return _estimate(str(dld), json.dumps(case))
 
 
