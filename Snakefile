@@ -58,6 +58,7 @@ wildcard_constraints:
 
 
 include: "workflow/rules/build.smk"
+include: "workflow/rules/cluster.smk"
 include: "workflow/rules/runs.smk"
 include: "workflow/rules/flow.smk"
 include: "workflow/rules/boundary.smk"
@@ -111,6 +112,10 @@ rule all:
     default_target: True
     input:
         ALL_FILES,
+
+
+# Jobs of a cluster; all else takes seconds.
+workflow.localrules(*(r.name for r in workflow.rules if r.name not in ("solve", "bracket_point", "bracket_confirm")))
 
 
 onstart:

@@ -98,6 +98,9 @@ rule bracket_point:
         runs=RUNS,
         identity=bracket_identity,
     threads: 1
+    resources:
+        runtime=job_minutes,
+        mem_mb=job_memory,
     shell:
         """
         python {input.script} --plan {input.plan} --bracket {input.bracket} --side {wildcards.side} \
@@ -147,6 +150,9 @@ rule bracket_confirm:
         runs=RUNS,
         identity=bracket_identity,
     threads: 1
+    resources:
+        runtime=job_minutes,
+        mem_mb=job_memory,
     shell:
         """
         python {input.script} --plan {input.plan} --bracket {input.bracket} --side {wildcards.side} \

@@ -32,7 +32,12 @@ rule solve:
     benchmark:
         f"{RUNS}/{{run}}/benchmark.tsv"
     priority: run_priority
+    group: job_group
     threads: 1
+    resources:
+        runtime=job_minutes,
+        mem_mb=job_memory,
+        in_series=1,
     shell:
         """
         python {input.writer} --plan {input.plan} --run {wildcards.run} > {output.case}
