@@ -36,8 +36,8 @@ Json lattice_numbers(const Case& c) {
 Json dimensionless_numbers(const Case& c) {
   const LatticeParameters l = to_lattice(c);
   const double slit_speed = l.force_density * l.depth * l.depth / (12 * l.viscosity);
-  return {{"epsilon", c.geometry.row_shift_um / c.geometry.pitch_um},
-          {"gap_per_pitch", l.gap / l.nx},
+  return {{"epsilon", c.geometry.epsilon()},
+          {"gap_per_pitch", l.gap / l.ny},
           {"depth_per_gap", l.depth / l.gap},
           {"cell_diameter_per_gap", 2 * l.cell_radius / l.gap},
           {"capillary_number", c.cell.capillary_number},
@@ -74,8 +74,8 @@ Json expected_cost(const Case& c) {
   if (c.scene != "passage" && c.scene != "streamlines") return nullptr;
   constexpr double rate = 150e6, typical_rows = 10, array_share = 0.6;
   const LatticeParameters l = to_lattice(c);
-  const double nodes = static_cast<double>(l.nx) * l.ny * l.nz *
-                       (1 - 3.14 * l.pillar_radius * l.pillar_radius / (static_cast<double>(l.nx) * l.ny));
+  const double dx = c.fluid.lattice_spacing_um;
+  const double nodes = device_um(c).open_area() / (dx * dx) * l.nz;
   const double slit_speed = l.force_density * l.depth * l.depth / (12 * l.viscosity);
   const double diffusion_steps =
       l.depth * l.depth / l.viscosity;  // the flow settles within about two of these
