@@ -20,7 +20,11 @@ class PillarArray {
  public:
   /// pitch_x, pitch_y and row_shift in lattice units; the shape's centre is the origin.
   PillarArray(std::shared_ptr<const PillarShape> shape, double pitch_x, double pitch_y, double row_shift)
-      : shape_(std::move(shape)), pitch_x_(pitch_x), pitch_y_(pitch_y), row_shift_(row_shift) {}
+      : shape_(std::move(shape)),
+        reach_(shape_->bounding_radius()),
+        pitch_x_(pitch_x),
+        pitch_y_(pitch_y),
+        row_shift_(row_shift) {}
 
   ReducedPoint reduce(double x, double y) const {
     const double n = std::nearbyint(x / pitch_x_);
@@ -30,17 +34,20 @@ class PillarArray {
   }
 
   /// Signed distance to the nearest pillar. Images n, m in -1, 0, 1 around the nearest one are checked,
-  /// unless the point is so near to its own pillar that no image can be nearer.
+  /// unless the point is so near to its own pillar that no image can be nearer; of the others those whose
+  /// circumscribed circle is nearer.
   double signed_distance(double x, double y) const {
+    constexpr double beyond = 1 + 1e-9;  // rounding must not leave out an image that is equally near
     const ReducedPoint p = reduce(x, y);
     double nearest = shape_->signed_distance(p.x, p.y);
-    const double reach = shape_->bounding_radius();
-    if (reach < 0 || nearest < 0.5 * std::min(pitch_x_, pitch_y_) - reach) return nearest;
+    if (reach_ < 0 || nearest < 0.5 * std::min(pitch_x_, pitch_y_) - reach_) return nearest;
     for (int n = -1; n <= 1; ++n) {
       for (int m = -1; m <= 1; ++m) {
         if (n == 0 && m == 0) continue;
-        nearest = std::min(nearest,
-                           shape_->signed_distance(p.x - n * pitch_x_, p.y - m * pitch_y_ - n * row_shift_));
+        const double x_image = p.x - n * pitch_x_, y_image = p.y - m * pitch_y_ - n * row_shift_;
+        const double near = nearest + reach_;
+        if (x_image * x_image + y_image * y_image > beyond * near * near) continue;
+        nearest = std::min(nearest, shape_->signed_distance(x_image, y_image));
       }
     }
     return nearest;
@@ -57,7 +64,7 @@ class PillarArray {
     return {gx / norm, gy / norm};
   }
 
-  bool empty() const { return shape_->bounding_radius() < 0; }
+  bool empty() const { return reach_ < 0; }
   const PillarShape& shape() const { return *shape_; }
   double pitch_x() const { return pitch_x_; }
   double pitch_y() const { return pitch_y_; }
@@ -65,6 +72,7 @@ class PillarArray {
 
  private:
   std::shared_ptr<const PillarShape> shape_;
+  double reach_;  ///< of the shape from its centre; negative without pillars
   double pitch_x_, pitch_y_, row_shift_;
 };
 

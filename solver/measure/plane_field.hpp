@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "geometry/gap_line.hpp"
+
 namespace dld {
 
 /// Signed distance (lu) to the nearest pillar of the whole array, negative inside.
@@ -20,6 +22,7 @@ struct PlaneFlow {
   double pitch_x = 0;    ///< nx (lu)
   double pitch_y = 0;    ///< ny (lu)
   double row_shift = 0;  ///< d (lu)
+  GapLine gap;           ///< where s is measured (lu)
 };
 
 /// Solid flags on the nodes: non-zero inside a pillar.
@@ -40,8 +43,8 @@ class PlaneField {
   /// Bilinear value with zero velocity on solid nodes: first order at walls, kept for comparison.
   Eigen::Vector2d velocity_bilinear(double x, double y) const;
 
-  /// View for the streamline measurements; refers to this object.
-  PlaneFlow flow() const;
+  /// View for the streamline measurements, which are made on the gap line; refers to this object.
+  PlaneFlow flow(const GapLine& gap) const;
 
   /// Velocities (lu) and solid flags on the nodes, nx x ny; node (0, 0) stands at (x0, y0).
   const Eigen::ArrayXXd& u() const { return u_; }

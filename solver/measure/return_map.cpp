@@ -15,15 +15,15 @@ constexpr int kRestingSteps = 4;
 
 }  // namespace
 
-int lane_of(double y, int row, double pitch_y, double row_shift) {
-  return static_cast<int>(std::floor((y - row * row_shift) / pitch_y));
+int lane_of(double y, int row, double pitch_y, double row_shift, double pillar_middle) {
+  return static_cast<int>(std::floor((y - row * row_shift - pillar_middle) / pitch_y));
 }
 
-Crossing crossing_at(double y, int row, double pitch_y, double row_shift, double pillar_top) {
+Crossing crossing_at(double y, int row, double pitch_y, double row_shift, const GapLine& gap) {
   Crossing c;
   c.row = row;
-  c.lane = lane_of(y, row, pitch_y, row_shift);
-  c.gap_position = y - c.lane * pitch_y - row * row_shift - pillar_top;
+  c.lane = lane_of(y, row, pitch_y, row_shift, gap.pillar_middle(pitch_y));
+  c.gap_position = y - c.lane * pitch_y - row * row_shift - gap.lower;
   return c;
 }
 

@@ -5,10 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "geometry/gap_line.hpp"
+
 namespace dld {
 
-/// Lane m of a point at height y on the pillar line of row n: pillar (n,m) stands at m ny + n d.
-int lane_of(double y, int row, double pitch_y, double row_shift);
+/// Lane m of a point at height y on the gap line of row n: pillar (n,m) stands at m ny + n d, and the line
+/// cuts it about pillar_middle above its centre (0 for a symmetric pillar).
+int lane_of(double y, int row, double pitch_y, double row_shift, double pillar_middle = 0);
 
 /// One passage of a pillar line.
 struct Crossing {
@@ -18,9 +21,8 @@ struct Crossing {
   bool bump = true;         ///< lane kept since the previous crossing; set by ReturnMap, true for the first
 };
 
-/// Crossing of a cell whose centre is at y (lu, unwrapped) on the pillar line of row n; pillar_top: height of
-/// the pillar's surface above its centre on that line (lu).
-Crossing crossing_at(double y, int row, double pitch_y, double row_shift, double pillar_top);
+/// Crossing of a cell whose centre is at y (lu, unwrapped) on the gap line of row n; gap: that line of row 0.
+Crossing crossing_at(double y, int row, double pitch_y, double row_shift, const GapLine& gap);
 
 enum class TrajectoryClass { running, displaced, zigzag, undecided };
 std::string to_string(TrajectoryClass c);

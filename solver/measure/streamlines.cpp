@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 namespace dld {
@@ -42,11 +41,12 @@ double sense_round_pillar(const PlaneFlow& flow, const Vector2d& r) {
 }
 
 /// Does the streamline from y on the gap line pass above pillar (1,0)?
-bool passes_above(const PlaneFlow& flow, double y, double y_middle, const StreamlineOptions& options) {
-  const Streamline s = trace_streamline(flow, {0, y}, +1, flow.pitch_x, options);
+bool passes_above(const PlaneFlow& flow, double y, const StreamlineOptions& options) {
+  const double line = flow.gap.x;
+  const Streamline s = trace_streamline(flow, {line, y}, +1, line + flow.pitch_x, options);
   const Vector2d end = s.points.row(s.points.rows() - 1);
-  if (s.end == StreamlineEnd::line) return end.y() > flow.row_shift;
-  if (s.end == StreamlineEnd::too_long) return y > y_middle;
+  if (s.end == StreamlineEnd::line) return end.y() > flow.row_shift + flow.gap.pillar_middle(flow.pitch_y);
+  if (s.end == StreamlineEnd::too_long) return y > flow.gap.middle();
   // Ended on a wall: either side of the nearest pillar is known except for pillar (1,0) itself.
   const long row = std::lround(end.x() / flow.pitch_x);
   const long lane = std::lround((end.y() - static_cast<double>(row) * flow.row_shift) / flow.pitch_y);
@@ -59,7 +59,7 @@ bool passes_above(const PlaneFlow& flow, double y, double y_middle, const Stream
 Eigen::MatrixX2d cut_at_stagnation(const PlaneFlow& flow, const Eigen::MatrixX2d& points) {
   for (Eigen::Index k = 0; k < points.rows(); ++k) {
     const Vector2d r = points.row(k);
-    if (r.x() < flow.pitch_x / 2 || flow.distance(r.x(), r.y()) > 2) continue;
+    if (r.x() < flow.gap.x + flow.pitch_x / 2 || flow.distance(r.x(), r.y()) > 2) continue;
     const Vector2d n = wall_normal(flow, r), u = flow.velocity(r.x(), r.y());
     if (std::abs(u.dot(n)) < std::abs(u.dot(Vector2d(n.y(), -n.x())))) return points.topRows(k);
   }
@@ -81,26 +81,20 @@ PlaneFlow reversed(const PlaneFlow& flow) {
   PlaneFlow r = flow;
   r.velocity = [&flow](double x, double y) { return flow.velocity(-x, flow.pitch_y - y); };
   r.distance = [&flow](double x, double y) { return flow.distance(-x, flow.pitch_y - y); };
+  r.gap = {-flow.gap.x, flow.pitch_y - flow.gap.upper, flow.pitch_y - flow.gap.lower};
   return r;
 }
 
-/// First change from solid to fluid on the line x = 0, walking from the pillar centre y_centre towards y_end.
-double surface_on_centre_line(const PlaneFlow& flow, double y_centre, double y_end) {
-  const double step = y_end > y_centre ? 0.25 : -0.25;
-  double inside = y_centre;
-  if (flow.distance(0, inside) >= 0)
-    throw std::invalid_argument("the pillar centre line does not cut the pillar");
-  double outside = inside + step;
-  while (flow.distance(0, outside) < 0) {
-    inside = outside;
-    outside += step;
-    if (std::abs(outside - y_centre) > std::abs(y_end - y_centre)) {
-      throw std::invalid_argument("the gap line x = 0 is closed by the pillars");
-    }
-  }
+/// The wall at y on the gap line to the last digit of the distance function, which lies in the direction
+/// `into`
+/// (+1 or -1) inside the pillar; y itself where the line runs along a wall.
+double wall_on_line(const PlaneFlow& flow, double y, double into) {
+  double inside = y + 0.125 * into, outside = y - 0.125 * into;
+  const auto solid = [&](double at) { return flow.distance(flow.gap.x, at) < 0; };
+  if (!solid(inside) || solid(outside)) return y;
   for (int k = 0; k < 50; ++k) {
     const double middle = (inside + outside) / 2;
-    (flow.distance(0, middle) < 0 ? inside : outside) = middle;
+    (solid(middle) ? inside : outside) = middle;
   }
   return (inside + outside) / 2;
 }
@@ -143,32 +137,28 @@ Streamline trace_streamline(const PlaneFlow& flow, const Vector2d& seed, int dir
   return result;
 }
 
-GapLine gap_line(const PlaneFlow& flow) {
-  return {surface_on_centre_line(flow, 0, flow.pitch_y), surface_on_centre_line(flow, flow.pitch_y, 0)};
-}
-
 Separation separation_downstream(const PlaneFlow& flow, const StreamlineOptions& options) {
   Separation result;
-  const GapLine gap = gap_line(flow);
-  const double middle = (gap.lower + gap.upper) / 2, margin = 0.01;
+  constexpr double margin = 0.01;
+  const GapLine gap{flow.gap.x, wall_on_line(flow, flow.gap.lower, -1),
+                    wall_on_line(flow, flow.gap.upper, +1)};
   double below = gap.lower + margin, above = gap.upper - margin;
   // Without a row shift the wakes and fronts of one lane face each other and divide nothing.
-  if (flow.row_shift == 0 || passes_above(flow, below, middle, options) ||
-      !passes_above(flow, above, middle, options)) {
+  if (flow.row_shift == 0 || passes_above(flow, below, options) || !passes_above(flow, above, options)) {
     return result;
   }
   while (above - below > options.seed_tolerance) {
     const double y = (below + above) / 2;
-    (passes_above(flow, y, middle, options) ? above : below) = y;
+    (passes_above(flow, y, options) ? above : below) = y;
   }
   result.found = true;
-  result.seed = {0, (below + above) / 2};
+  result.seed = {gap.x, (below + above) / 2};
   result.seed_distance = result.seed.y() - gap.lower;
 
   const Eigen::MatrixX2d upstream =
-      trace_streamline(flow, result.seed, -1, -flow.pitch_x / 2, options).points.colwise().reverse();
+      trace_streamline(flow, result.seed, -1, gap.x - flow.pitch_x / 2, options).points.colwise().reverse();
   const Eigen::MatrixX2d downstream =
-      cut_at_stagnation(flow, trace_streamline(flow, result.seed, +1, flow.pitch_x, options).points);
+      cut_at_stagnation(flow, trace_streamline(flow, result.seed, +1, gap.x + flow.pitch_x, options).points);
   result.streamline.resize(upstream.rows() + downstream.rows() - 1, 2);
   result.streamline << upstream, downstream.bottomRows(downstream.rows() - 1);
   result.minimum_distance = distance_to_first_pillar(flow, result.streamline);
@@ -178,7 +168,7 @@ Separation separation_downstream(const PlaneFlow& flow, const StreamlineOptions&
 Separation separation_upstream(const PlaneFlow& flow, const StreamlineOptions& options) {
   Separation result = separation_downstream(reversed(flow), options);
   if (!result.found) return result;
-  result.seed.y() = flow.pitch_y - result.seed.y();
+  result.seed = {-result.seed.x(), flow.pitch_y - result.seed.y()};
   const Eigen::MatrixX2d mirrored = result.streamline.colwise().reverse();
   result.streamline.col(0) = -mirrored.col(0);
   result.streamline.col(1) = flow.pitch_y - mirrored.col(1).array();

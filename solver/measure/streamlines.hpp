@@ -28,13 +28,6 @@ struct Streamline {
 Streamline trace_streamline(const PlaneFlow& flow, const Eigen::Vector2d& seed, int direction, double x_end,
                             const StreamlineOptions& options = {});
 
-/// The two walls of the gap line x = 0 between pillar (0,0) and pillar (0,1), found on the distance function.
-struct GapLine {
-  double lower = 0;  ///< y of the upper surface of pillar (0,0) (lu)
-  double upper = 0;  ///< y of the lower surface of pillar (0,1) (lu)
-};
-GapLine gap_line(const PlaneFlow& flow);
-
 struct Separation {
   bool found = false;           ///< false: no dividing streamline crosses the gap (row shift 0); then s = 0
   double seed_distance = 0;     ///< s on the gap line (lu)

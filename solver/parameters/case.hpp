@@ -2,20 +2,32 @@
 /// A case: everything one run needs, as the user wrote it (lengths in um, dimensionless numbers as
 /// the field defines them). Defaults stand here once; the reader and the schema take them from here.
 /// Conversion to lattice units is in units.hpp.
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "geometry/pillar.hpp"
 
 namespace dld {
 
 struct GeometryParameters {
-  std::string pillar_shape = "circle";  ///< name in the pillar registry; "none" for an empty slit
-  double pillar_radius_um = 10.0;       ///< R
-  double pitch_um = 32.0;               ///< lambda, in x and in y
-  double row_shift_um = 6.0;            ///< d; the case may give epsilon = d / lambda instead
+  std::string pillar_shape = "circle";  ///< "circle" | "none" for an empty slit: the short form of pillar
+  double pillar_radius_um = 10.0;       ///< R of the short form
+  std::optional<PillarValues> pillar;   ///< any shape, lengths in um; replaces the two above
+  double pitch_um = 32.0;               ///< lambda along x, and along y unless pitch_y_um is given
+  std::optional<double> pitch_y_um;     ///< pitch across the flow
+  double row_shift_um = 6.0;            ///< d; the case may give epsilon = d / pitch across the flow instead
   double depth_um = 4.8;                ///< H, between the bottom and the top wall
   std::string pillar_center = "node";   ///< "node" | "between_nodes" (in x and y)
   std::string surface_nodes = "solid";  ///< a node exactly on the surface is "solid" | "fluid"
   std::string height = "half";          ///< "half" (mirror plane at z = 0) | "full"
+
+  double pitch_across_um() const { return pitch_y_um.value_or(pitch_um); }
+  double epsilon() const { return row_shift_um / pitch_across_um(); }
+  /// The pillar in either form.
+  PillarValues pillar_values() const {
+    return pillar ? *pillar : PillarValues{pillar_shape, {{"radius_um", {pillar_radius_um}}}};
+  }
 };
 
 struct FluidParameters {

@@ -7,6 +7,7 @@
 
 #include "parameters/scene_rules.hpp"
 #include "parameters/text.hpp"
+#include "parameters/units.hpp"
 
 namespace dld {
 namespace {
@@ -39,22 +40,44 @@ void check_depth(const Case& c, std::vector<Problem>& problems) {
 
 namespace {
 
-void check_array(const Case& c, std::vector<Problem>& problems) {
+// The pillar by itself; false if there is none to ask further.
+bool check_pillar(const Case& c, std::vector<Problem>& problems) {
   const auto& g = c.geometry;
-  const double dx = c.fluid.lattice_spacing_um;
-  check_multiple("/geometry/pitch_um", g.pitch_um, dx, "the lattice spacing", false, problems);
-  check_multiple("/geometry/row_shift_um", g.row_shift_um, dx, "the lattice spacing", true, problems);
-  if (2 * g.pillar_radius_um >= g.pitch_um) {
+  const double dx = c.fluid.lattice_spacing_um, pitch_um = std::min(g.pitch_um, g.pitch_across_um());
+  if (!g.pillar) {
+    if (2 * g.pillar_radius_um < pitch_um) return true;
     problems.push_back(
         {"/geometry/pillar_radius_um", number_text(g.pillar_radius_um),
-         "less than half the pitch of " + number_text(g.pitch_um) + " um",
-         "use at most " + number_text(g.pitch_um / 2 - dx) + " (a gap of two lattice spacings)"});
+         "less than half the pitch of " + number_text(pitch_um) + " um",
+         "use at most " + number_text(pitch_um / 2 - dx) + " (a gap of two lattice spacings)"});
+    return false;
   }
-  if (g.row_shift_um >= g.pitch_um) {
+  const auto found = pillar_problems(*g.pillar);
+  for (const PillarProblem& p : found)
+    problems.push_back({"/geometry/pillar/" + p.parameter, p.value, p.allowed, p.advice});
+  if (!found.empty()) return false;
+  const double gap_um = device_um(c).narrowest_gap();
+  if (gap_um > 0) return true;
+  problems.push_back(
+      {"/geometry/pillar", g.pillar->shape,
+       "a pillar that touches none of its neighbours (they overlap by " + number_text(-gap_um) + " um)",
+       "use a smaller pillar, or a larger /geometry/pitch_um or /geometry/pitch_y_um"});
+  return false;
+}
+
+void check_array(const Case& c, std::vector<Problem>& problems) {
+  const auto& g = c.geometry;
+  const double dx = c.fluid.lattice_spacing_um, pitch_y_um = g.pitch_across_um();
+  check_multiple("/geometry/pitch_um", g.pitch_um, dx, "the lattice spacing", false, problems);
+  if (g.pitch_y_um)
+    check_multiple("/geometry/pitch_y_um", pitch_y_um, dx, "the lattice spacing", false, problems);
+  check_multiple("/geometry/row_shift_um", g.row_shift_um, dx, "the lattice spacing", true, problems);
+  check_pillar(c, problems);
+  if (g.row_shift_um >= pitch_y_um) {
     problems.push_back(
         {"/geometry/row_shift_um", number_text(g.row_shift_um),
-         "less than the pitch of " + number_text(g.pitch_um) + " um",
-         "use " + number_text(std::fmod(g.row_shift_um, g.pitch_um)) + ", which is the same array"});
+         "less than the pitch of " + number_text(pitch_y_um) + " um",
+         "use " + number_text(std::fmod(g.row_shift_um, pitch_y_um)) + ", which is the same array"});
   }
 }
 
@@ -88,26 +111,22 @@ void check_start_height(const Case& c, std::vector<Problem>& problems) {
   }
 }
 
-// The undeformed cell must not cut a pillar where it starts. Circles about the pillars are a safe bound.
+// The undeformed cell must not cut a pillar where it starts. A circle about its centre is a safe bound.
 void check_start_in_plane(const Case& c, std::vector<Problem>& problems) {
-  const auto& g = c.geometry;
   const auto& start = c.cell.start;
-  if (g.pillar_shape == "none" || start.gap_position_um < 0 || 2 * g.pillar_radius_um >= g.pitch_um) return;
-  const double y_um = g.pillar_radius_um + start.gap_position_um;
-  const double column = std::round(start.x_um / g.pitch_um);
-  double nearest_um = g.pitch_um;
-  for (const double n : {column - 1, column, column + 1}) {
-    const double dy = std::remainder(y_um - n * g.row_shift_um, g.pitch_um);
-    nearest_um = std::min(nearest_um, std::hypot(start.x_um - n * g.pitch_um, dy));
-  }
-  const double room_um = nearest_um - g.pillar_radius_um - c.cell.radius_um;
+  std::vector<Problem> of_pillar;
+  if (start.gap_position_um < 0 || !check_pillar(c, of_pillar)) return;
+  const Device device = device_um(c);
+  if (device.empty()) return;
+  const GapLine gap = device.gap_line();
+  const double room_um =
+      device.pillars().signed_distance(start.x_um, gap.lower + start.gap_position_um) - c.cell.radius_um;
   if (room_um >= 0) return;
   problems.push_back({"/cell/start/gap_position_um", number_text(start.gap_position_um),
                       "a start at which the undeformed cell touches no pillar (it overlaps by " +
                           number_text(-room_um) + " um)",
-                      "use " + number_text(g.pitch_um / 2 - g.pillar_radius_um) +
-                          " (the middle of the gap), or " + number_text(-g.pitch_um / 2) +
-                          " for /cell/start/x_um (between two rows)"});
+                      "use " + number_text(gap.middle() - gap.lower) + " (the middle of the gap), or " +
+                          number_text(device.start_x()) + " for /cell/start/x_um (between two rows)"});
 }
 
 // Rows are counted from the pillar line x = 0, which the centre must have before it.
@@ -123,7 +142,7 @@ void check_start_row(const Case& c, std::vector<Problem>& problems) {
 void check_size(const Case& c, std::vector<Problem>& problems) {
   const auto& g = c.geometry;
   const double dx = c.fluid.lattice_spacing_um, halves = g.height == "half" ? 0.5 : 1.0;
-  const double volume_um3 = g.pitch_um * g.pitch_um * g.depth_um * halves;
+  const double volume_um3 = g.pitch_um * g.pitch_across_um() * g.depth_um * halves;
   constexpr double directions = 19, most_nodes = 4294967296.0 / directions;
   if (volume_um3 / (dx * dx * dx) < most_nodes) return;
   problems.push_back(

@@ -47,12 +47,17 @@ std::vector<Declaration> geometry_and_fluid() {
       {"", "scene", at<&Case::scene>, one_of(scene_names()), "", "what is simulated"},
       {"", "accuracy", at<&Case::accuracy>, one_of(preset_names()), "",
        "numerical settings that take the place of the defaults; keys that are given stay"},
-      {"geometry", "pillar_shape", at<&Case::geometry, &G::pillar_shape>, one_of(pillar_shape_names()), "",
-       "cross-section of the pillars; none for an empty slit"},
+      {"geometry", "pillar_shape", at<&Case::geometry, &G::pillar_shape>, one_of({"circle", "none"}), "",
+       "cross-section of the pillars; none for an empty slit; other shapes are given as pillar"},
       {"geometry", "pillar_radius_um", at<&Case::geometry, &G::pillar_radius_um>, above(0, 1000), "um",
        "R, radius of the circle about the pillar"},
+      {"geometry", "pillar", at<&Case::geometry, &G::pillar>, any(), "",
+       "cross-section of the pillars in place of pillar_shape and pillar_radius_um: a shape and its "
+       "parameters, about the pillar's centre"},
       {"geometry", "pitch_um", at<&Case::geometry, &G::pitch_um>, above(0, 5000), "um",
-       "lambda, distance of neighbouring pillar centres along x and along y"},
+       "lambda, distance of neighbouring pillar centres along x, and along y unless pitch_y_um is given"},
+      {"geometry", "pitch_y_um", at<&Case::geometry, &G::pitch_y_um>, above(0, 5000), "um",
+       "distance of neighbouring pillar centres along y, across the flow; absent: pitch_um"},
       {"geometry", "row_shift_um", at<&Case::geometry, &G::row_shift_um>, between(0, 5000), "um",
        "d, lateral shift of each row against the one before; or give epsilon"},
       {"geometry", "depth_um", at<&Case::geometry, &G::depth_um>, above(0, 1000), "um",
@@ -202,7 +207,7 @@ const std::vector<Declaration>& declarations() {
 
 const Declaration& epsilon_declaration() {
   static const Declaration epsilon{"geometry",    "epsilon", nullptr,
-                                   between(0, 1), "1",       "d / lambda, instead of row_shift_um"};
+                                   between(0, 1), "1",       "d / pitch along y, instead of row_shift_um"};
   return epsilon;
 }
 
@@ -215,8 +220,17 @@ std::vector<std::string> sections() {
   return names;
 }
 
-std::string allowed_text(const Declaration& declaration) {
-  const Allowed& allowed = declaration.allowed;
+bool in_range(double value, const Allowed& allowed) {
+  return value <= allowed.maximum &&
+         (allowed.open_minimum ? value > allowed.minimum : value >= allowed.minimum);
+}
+
+std::string nearest_advice(double value, const Allowed& allowed) {
+  if (value > allowed.maximum) return "use at most " + number_text(allowed.maximum);
+  return (allowed.open_minimum ? "use more than " : "use at least ") + number_text(allowed.minimum);
+}
+
+std::string allowed_text(const Allowed& allowed) {
   if (!allowed.names.empty()) return "one of " + joined(allowed.names);
   std::string text;
   const bool low = allowed.minimum > -std::numeric_limits<double>::infinity();

@@ -11,8 +11,10 @@
 
 namespace dld {
 
-/// Where a value goes in a Case; its alternative is the parameter's type.
-using Field = std::variant<double*, int*, long*, bool*, std::string*, std::vector<double>*>;
+/// Where a value goes in a Case; its alternative is the parameter's type. What is optional has no default:
+/// the echo leaves it out when it is absent.
+using Field = std::variant<double*, int*, long*, bool*, std::string*, std::vector<double>*,
+                           std::optional<double>*, std::optional<PillarValues>*>;
 
 /// Allowed values: an interval for numbers (and for the items of a list), names for texts.
 struct Allowed {
@@ -42,7 +44,12 @@ const Declaration& epsilon_declaration();
 /// Sections ("geometry", "cell", "cell/start", ...) in the order of the table.
 std::vector<std::string> sections();
 
+bool in_range(double value, const Allowed& allowed);
+
 /// The allowed values in words: "between 0.5 and 100", "one of bgk, trt".
-std::string allowed_text(const Declaration& declaration);
+std::string allowed_text(const Allowed& allowed);
+
+/// What to change in a number that is out of range: "use at most 100".
+std::string nearest_advice(double value, const Allowed& allowed);
 
 }  // namespace dld

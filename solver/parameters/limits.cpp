@@ -164,8 +164,8 @@ void flow_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>
     margins.push_back(above("relaxation time - 1/2, BGK", c.fluid.relaxation_time - 0.5, bgk_relaxation_limit,
                             "1", "raise /fluid/relaxation_time, or use trt"));
   }
-  margins.push_back(below("row shift / pitch", c.geometry.row_shift_um / c.geometry.pitch_um, row_shift_limit,
-                          "1", "mirror the array: a shift d is a shift pitch - d to the other side", false));
+  margins.push_back(below("row shift / pitch", c.geometry.epsilon(), row_shift_limit, "1",
+                          "mirror the array: a shift d is a shift pitch - d to the other side", false));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "parameters/consistency.hpp"
 #include "parameters/declaration.hpp"
+#include "parameters/pillar_json.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/syntax.hpp"
 #include "parameters/text.hpp"
@@ -35,17 +36,6 @@ std::string list_text(const std::string& file, const std::vector<Problem>& probl
 bool is_whole(const Json& value) {
   return value.is_number_integer() ||
          (value.is_number_float() && std::trunc(value.get<double>()) == value.get<double>());
-}
-
-bool in_range(double value, const Allowed& allowed) {
-  return value <= allowed.maximum &&
-         (allowed.open_minimum ? value > allowed.minimum : value >= allowed.minimum);
-}
-
-// The nearest allowed number, for the advice.
-std::string nearest(double value, const Allowed& allowed) {
-  if (value > allowed.maximum) return "use at most " + number_text(allowed.maximum);
-  return (allowed.open_minimum ? "use more than " : "use at least ") + number_text(allowed.minimum);
 }
 
 // Checks `value` against one declaration and, if it is right, stores it through the field.
@@ -76,7 +66,7 @@ class Store {
       *field = value_.get<std::string>();
     } else {
       const std::string given = value_.is_string() ? value_.get<std::string>() : value_.dump();
-      complain(allowed_text(declaration_), "use " + Json(nearest_name(given, names)).dump());
+      complain(allowed_text(declaration_.allowed), "use " + Json(nearest_name(given, names)).dump());
     }
   }
   void operator()(std::vector<double>* field) const {
@@ -87,20 +77,25 @@ class Store {
     if (right) {
       *field = value_.get<std::vector<double>>();
     } else {
-      complain("a list of numbers, each " + allowed_text(declaration_), "write e.g. [0, 20, 40]");
+      complain("a list of numbers, each " + allowed_text(declaration_.allowed), "write e.g. [0, 20, 40]");
     }
+  }
+
+  void operator()(std::optional<double>* field) const { *field = checked_number("a number"); }
+  void operator()(std::optional<PillarValues>* field) const {
+    *field = read_pillar(value_, declaration_.pointer(), problems_);
   }
 
   std::optional<double> checked_number(const std::string& kind) const {
     const bool right_kind = kind == "a whole number" ? is_whole(value_) : value_.is_number();
-    const std::string range = allowed_text(declaration_);
+    const std::string range = allowed_text(declaration_.allowed);
     const std::string allowed = kind + (range == "any" ? "" : " " + range);
     if (!right_kind) {
       complain(allowed, "write " + kind + (value_.is_string() ? " without quotes" : ""));
       return std::nullopt;
     }
     if (!in_range(value_.get<double>(), declaration_.allowed)) {
-      complain(allowed, nearest(value_.get<double>(), declaration_.allowed));
+      complain(allowed, nearest_advice(value_.get<double>(), declaration_.allowed));
       return std::nullopt;
     }
     return value_.get<double>();
@@ -167,6 +162,15 @@ std::optional<double> read_epsilon(const Json& geometry, std::vector<Problem>& p
   return Store(epsilon_declaration(), geometry["epsilon"], problems).checked_number("a number");
 }
 
+// The pillar has two forms.
+void refuse_both_pillars(const Json& geometry, std::vector<Problem>& problems) {
+  for (const char* name : {"pillar_shape", "pillar_radius_um"}) {
+    if (!geometry.contains("pillar") || !geometry.contains(name)) continue;
+    problems.push_back({std::string("/geometry/") + name, geometry[name].dump(),
+                        "either pillar, or pillar_shape and pillar_radius_um", "remove one of the two"});
+  }
+}
+
 // Puts the settings of the case's preset in place of the defaults; a wrong name is reported with the others.
 void apply_preset(const Json& root, Case& c) {
   std::string name = c.accuracy;
@@ -207,10 +211,13 @@ Reading read_tree(const Json& root) {
       std::visit(Store(declaration, object->at(std::string(declaration.name)), problems),
                  declaration.field(c));
     }
-    if (section == "geometry") epsilon = read_epsilon(*object, problems);
+    if (section == "geometry") {
+      epsilon = read_epsilon(*object, problems);
+      refuse_both_pillars(*object, problems);
+    }
   }
   if (!problems.empty()) return reading;
-  if (epsilon) c.geometry.row_shift_um = *epsilon * c.geometry.pitch_um;
+  if (epsilon) c.geometry.row_shift_um = *epsilon * c.geometry.pitch_across_um();
   problems = inconsistencies(c);
   return reading;
 }

@@ -38,8 +38,8 @@ Json lattice_numbers(const Case& c) {
 Json dimensionless_numbers(const Case& c) {
   const LatticeParameters l = to_lattice(c);
   const double slit_speed = l.force_density * l.depth * l.depth / (12 * l.viscosity);
-  return {{"epsilon", c.geometry.row_shift_um / c.geometry.pitch_um},
-          {"gap_per_pitch", l.gap / l.nx},
+  return {{"epsilon", c.geometry.epsilon()},
+          {"gap_per_pitch", l.gap / l.ny},
           {"depth_per_gap", l.depth / l.gap},
           {"cell_diameter_per_gap", 2 * l.cell_radius / l.gap},
           {"capillary_number", c.cell.capillary_number},

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "parameters/declaration.hpp"
+#include "parameters/pillar_json.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/scene_rules.hpp"
@@ -16,7 +17,7 @@ constexpr int solver_model = 4;
 using Json = nlohmann::ordered_json;
 
 Json type_of(const Field& field) {
-  static const Json types = {"number", "integer", "integer", "boolean", "string", "array"};
+  static const Json types = {"number", "integer", "integer", "boolean", "string", "array", "number"};
   return types.at(field.index());
 }
 
@@ -34,6 +35,25 @@ void add_limits(Json& schema, const Allowed& allowed) {
   if (std::isfinite(allowed.maximum)) schema["maximum"] = limit(allowed.maximum);
 }
 
+bool is_optional(const Field& field) {
+  return std::holds_alternative<std::optional<double>*>(field) ||
+         std::holds_alternative<std::optional<PillarValues>*>(field);
+}
+
+Json value_of(const Field& field) {
+  return std::visit(
+      []<class T>(T* value) -> Json {
+        if constexpr (std::is_same_v<T, std::optional<double>>) {
+          return value->has_value() ? Json(**value) : Json();
+        } else if constexpr (std::is_same_v<T, std::optional<PillarValues>>) {
+          return value->has_value() ? pillar_json(**value) : Json();
+        } else {
+          return *value;
+        }
+      },
+      field);
+}
+
 Json property(const Declaration& declaration, Case& defaults) {
   const std::string unit = declaration.unit.empty() ? "" : " [" + std::string(declaration.unit) + "]";
   Json schema = {{"description", std::string(declaration.doc) + unit}};
@@ -43,6 +63,10 @@ Json property(const Declaration& declaration, Case& defaults) {
     return schema;
   }
   const Field field = declaration.field(defaults);
+  if (std::holds_alternative<std::optional<PillarValues>*>(field)) {
+    schema.update(pillar_schema());
+    return schema;
+  }
   schema["type"] = type_of(field);
   if (schema["type"] == "array") {
     schema["items"] = {{"type", "number"}};
@@ -51,9 +75,7 @@ Json property(const Declaration& declaration, Case& defaults) {
   } else {
     add_limits(schema, declaration.allowed);
   }
-  if (declaration.name != "scene") {
-    schema["default"] = std::visit([](const auto* value) { return Json(*value); }, field);
-  }
+  if (declaration.name != "scene" && !is_optional(field)) schema["default"] = value_of(field);
   return schema;
 }
 
@@ -77,8 +99,12 @@ Json echo(const Case& c) {
   Case copy = c;  // the fields of the table are not const
   Json tree;
   for (const auto& declaration : declarations()) {
-    std::visit([&](const auto* value) { tree[Json::json_pointer(declaration.pointer())] = *value; },
-               declaration.field(copy));
+    const Field field = declaration.field(copy);
+    const Json value = value_of(field);
+    if (!is_optional(field) || !value.is_null()) tree[Json::json_pointer(declaration.pointer())] = value;
+  }
+  if (c.geometry.pillar) {
+    for (const char* short_form : {"pillar_shape", "pillar_radius_um"}) tree["geometry"].erase(short_form);
   }
   return tree;
 }
@@ -105,7 +131,10 @@ Json case_schema() {
   for (const auto& rules : scene_rules()) reads[rules.name] = rules.sections;
   Json& geometry = section_schema(root, "geometry");
   geometry["properties"]["epsilon"] = property(epsilon_declaration(), defaults);
-  geometry["not"] = {{"required", {"epsilon", "row_shift_um"}}};
+  const auto both = [](const char* a, const char* b) { return Json{{"required", {a, b}}}; };
+  geometry["not"] = {{"anyOf",
+                      {both("epsilon", "row_shift_um"), both("pillar", "pillar_shape"),
+                       both("pillar", "pillar_radius_um")}}};
   return root;
 }
 

@@ -19,20 +19,44 @@ double spacings(double length_um, double spacing_um) {
   return std::abs(length - n) < 1e-9 * std::max(1.0, n) ? n : length;
 }
 
+// The pillar with its lengths in lattice units.
+PillarValues pillar_lu(const Case& c) {
+  PillarValues pillar = c.geometry.pillar_values();
+  for (const PillarParameter& p : pillar_parameters(pillar.shape)) {
+    if (p.unit != "um") continue;
+    for (double& length : pillar.values.find(p.name)->second)
+      length = spacings(length, c.fluid.lattice_spacing_um);
+  }
+  return pillar;
+}
+
 }  // namespace
+
+Device device_um(const Case& c) {
+  const GeometryParameters& g = c.geometry;
+  return {make_pillar(g.pillar_values()), g.pitch_um, g.pitch_across_um(), g.row_shift_um, g.depth_um};
+}
+
+Device device_lu(const Case& c) {
+  const LatticeParameters l = to_lattice(c);
+  return {make_pillar(pillar_lu(c)), static_cast<double>(l.nx), static_cast<double>(l.ny),
+          static_cast<double>(l.row_shift), l.depth};
+}
 
 LatticeParameters to_lattice(const Case& c) {
   const double dx = c.fluid.lattice_spacing_um;
   LatticeParameters l;
   l.um_per_lu = dx;
-  l.nx = l.ny = whole(c.geometry.pitch_um, dx);
+  l.nx = whole(c.geometry.pitch_um, dx);
+  l.ny = whole(c.geometry.pitch_across_um(), dx);
   l.half_height = c.geometry.height == "half";
   l.nz = whole(c.geometry.depth_um, dx) / (l.half_height ? 2 : 1);
   l.row_shift = whole(c.geometry.row_shift_um, dx);
-  l.pillar_radius = spacings(c.geometry.pillar_radius_um, dx);
-  l.gap = spacings(c.geometry.pitch_um - 2 * c.geometry.pillar_radius_um, dx);
+  const Device device = device_um(c);
+  l.pillar_radius = spacings(std::max(0.0, device.pillars().shape().bounding_radius()), dx);
+  l.gap = spacings(device.gap(), dx);
   l.depth = spacings(c.geometry.depth_um, dx);
-  l.length_scale = std::sqrt(std::max(0.0, l.gap) * l.depth);
+  l.length_scale = length_scale(l.gap, l.depth);
   l.force_density = c.fluid.force_density;
   l.viscosity = (c.fluid.relaxation_time - 0.5) / 3;
   l.tau_outside = c.fluid.relaxation_time;

@@ -1,5 +1,6 @@
 #pragma once
 /// Conversion of a case to lattice units (dx = dt = rho0 = 1) and to SI.
+#include "geometry/device.hpp"
 #include "parameters/case.hpp"
 
 namespace dld {
@@ -7,12 +8,12 @@ namespace dld {
 /// Everything a scene needs in lattice units (lu). Stresses scale with the driving force density, so
 /// the physics depends on the dimensionless numbers of the case alone (Stokes similarity).
 struct LatticeParameters {
-  int nx = 0, ny = 0;  ///< nodes of the unit cell along x and y: pitch / dx
+  int nx = 0, ny = 0;  ///< nodes of the unit cell along x and y: pitches / dx
   int nz = 0;          ///< layers simulated: depth / dx, or half of it with the mirror
   int row_shift = 0;   ///< d / dx, a whole number
   bool half_height = true;
-  double pillar_radius = 0;   ///< R
-  double gap = 0, depth = 0;  ///< G = pitch - 2 R, H
+  double pillar_radius = 0;   ///< of the circle about the pillar
+  double gap = 0, depth = 0;  ///< G, between a pillar and its neighbour across the lane, and H
   double length_scale = 0;    ///< l = sqrt(G H)
   double force_density = 0;   ///< p', along x
   double viscosity = 0;       ///< nu outside the cell
@@ -30,6 +31,11 @@ struct LatticeParameters {
 };
 
 LatticeParameters to_lattice(const Case& c);
+
+/// The device of a case whose pillar has no problems: lengths in um, and in lattice units with the unit cell
+/// of to_lattice.
+Device device_um(const Case& c);
+Device device_lu(const Case& c);
 
 /// kS (lu) in the coupled tweezer, whose result does not depend on it: stiff enough to relax soon, soft
 /// enough for the explicit coupling. Its other moduli are the case's times this.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "parameters/units.hpp"
 
@@ -28,9 +27,10 @@ double nodes(const LatticeBox& box) {
   return box.nx * box.ny * box.nz;
 }
 
-double open_share(const LatticeParameters& l) {
-  const double area = std::numbers::pi * l.pillar_radius * l.pillar_radius;
-  return std::max(0.0, 1 - area / (static_cast<double>(l.nx) * l.ny));
+// Share of the unit cell that is not pillar.
+double open_share(const Case& c) {
+  const PillarArray pillars = device_um(c).pillars();
+  return device_um(c).open_area() / (pillars.pitch_x() * pillars.pitch_y());
 }
 
 // Steps until a flow without a cell is steady, at the most those that the case allows.
@@ -76,7 +76,7 @@ LatticeBox channel_box(const Case& c) {
 
 ExpectedWork streamlines_work(const Case& c) {
   const LatticeParameters l = to_lattice(c);
-  return of_steps(steady_steps(c, l), nodes(streamlines_box(c)) * open_share(l));
+  return of_steps(steady_steps(c, l), nodes(streamlines_box(c)) * open_share(c));
 }
 
 ExpectedWork passage_work(const Case& c) {
@@ -86,7 +86,7 @@ ExpectedWork passage_work(const Case& c) {
   const double per_row = l.nx / (array_share * slit_speed);
   const double rows = c.stop.max_rows > 0 && c.stop.when == "rows" ? c.stop.max_rows : typical_rows;
   const double passing = std::min(rows * per_row, static_cast<double>(c.stop.max_steps));
-  ExpectedWork work = of_steps(steady_steps(c, l) + passing, nodes(passage_box(c)) * open_share(l));
+  ExpectedWork work = of_steps(steady_steps(c, l) + passing, nodes(passage_box(c)) * open_share(c));
   work.steps_per_row = per_row;
   work.membrane_updates = passing * vertices(c);
   return work;

@@ -21,6 +21,7 @@
 #include "parameters/consistency.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/work.hpp"
+#include "scene/device_output.hpp"
 #include "scene/flow_output.hpp"
 #include "scene/monitor.hpp"
 #include "scene/passage_record.hpp"
@@ -39,12 +40,12 @@ class PassageRun {
       : case_(c),
         context_(context),
         l_(to_lattice(c)),
-        pillars_(make_pillar_array(c)),
-        lattice_(make_unit_cell(c, pillars_), make_fluid_model(c)),
+        device_(device_lu(c)),
+        gap_(device_.gap_line()),
+        lattice_(make_unit_cell(c, device_), make_fluid_model(c)),
         membrane_(make_cell(c.cell.shape, c.cell.mesh_frequency, l_.cell_radius), make_moduli(c)),
         lateral_(c.fluid.lateral_flow == "blocked", l_),
-        map_(map_options(c)),
-        pillar_top_(surface_above_centre(pillars_)) {
+        map_(map_options(c)) {
     lattice_.set_uniform_force(l_.force_density, 0.0, 0.0);
     lattice_.set_threads(context.threads);
   }
@@ -62,9 +63,9 @@ class PassageRun {
       return finish(Status::diverged);
     }
     const PlaneField field =
-        mid_plane(lattice_, [this](double x, double y) { return pillars_.signed_distance(x, y); });
-    cell_.emplace(lattice_, membrane_, pillars_, make_coupling_model(case_),
-                  start_positions(case_, membrane_.reference().vertices, pillars_, field));
+        mid_plane(lattice_, [this](double x, double y) { return device_.pillars().signed_distance(x, y); });
+    cell_.emplace(lattice_, membrane_, device_.pillars(), make_coupling_model(case_),
+                  start_positions(case_, membrane_.reference().vertices, device_, field));
     // Whole updates of the cell, and an even number of steps: populations in place, nothing half done.
     const int unit = 2 * case_.coupling.steps_per_update;
     const double interval = std::min(0.2 / mean_velocity_, static_cast<double>(longest_interval));
@@ -85,11 +86,14 @@ class PassageRun {
 
   static ReturnMapOptions map_options(const Case& c) {
     ReturnMapOptions options;
-    options.epsilon = c.geometry.row_shift_um / c.geometry.pitch_um;
+    options.epsilon = c.geometry.epsilon();
     options.tolerance = c.stop.map_tolerance_um / c.fluid.lattice_spacing_um;
     options.max_rows = c.stop.max_rows;
     return options;
   }
+
+  /// x of the gap line of the row that comes next, lattice units.
+  double line_of_row() const { return gap_.x + static_cast<double>(row_) * l_.nx; }
 
   Status advance() {
     while (true) {
@@ -140,7 +144,7 @@ class PassageRun {
             .state = state,
             .speed = cell_->max_speed(),
             .film = cell_->film(),
-            .pillars = &pillars_,
+            .pillars = &device_.pillars(),
             .um_per_lu = l_.um_per_lu};
   }
 
@@ -159,7 +163,7 @@ class PassageRun {
     extent_.update(x, membrane_.reference().faces, centre, cell_->film(), steps_);
     if (extent_.centre_passed() && !crossing_added_) {
       const TrajectoryClass now =
-          map_.add(crossing_at(extent_.y_at_centre(), row_, l_.ny, l_.row_shift, pillar_top_));
+          map_.add(crossing_at(extent_.y_at_centre(), row_, l_.ny, l_.row_shift, gap_));
       crossing_added_ = true;
       context_.progress.set_total(map_.last_row() + 1.5);  // rows at the most
       decided_ = case_.stop.when == "rows" ? row_ >= map_.last_row() : now != TrajectoryClass::running;
@@ -214,7 +218,7 @@ class PassageRun {
     extent_done_ = decided_;
     if (decided_) return;
     ++row_;
-    extent_ = PassageExtent(static_cast<double>(row_) * l_.nx);
+    extent_ = PassageExtent(line_of_row());
     crossing_added_ = false;
     row_finished_ = true;
   }
@@ -270,9 +274,9 @@ class PassageRun {
     saved_.reset();
     const auto& y = record_.crossings.column("y_um");
     for (std::size_t k = 0; k < y.size(); ++k) {
-      map_.add(crossing_at(y[k] / l_.um_per_lu, static_cast<int>(k), l_.ny, l_.row_shift, pillar_top_));
+      map_.add(crossing_at(y[k] / l_.um_per_lu, static_cast<int>(k), l_.ny, l_.row_shift, gap_));
     }
-    extent_ = PassageExtent(static_cast<double>(row_) * l_.nx);
+    extent_ = PassageExtent(line_of_row());
   }
 
   Status finish(Status status) {
@@ -285,12 +289,13 @@ class PassageRun {
     return status;
   }
 
-  void summarise(Status status) const {
+  void summarise(Status status) {
     nlohmann::ordered_json& s = context_.summary;
     const double um = l_.um_per_lu;
     s["row_shift_um"] = case_.geometry.row_shift_um;
-    s["epsilon"] = case_.geometry.row_shift_um / case_.geometry.pitch_um;
+    s["epsilon"] = case_.geometry.epsilon();
     s["dx_um"] = um;
+    write_device(context_, device_, um);
     s["capillary_number"] = case_.cell.capillary_number;
     s["skalak_denominator"] = case_.cell.skalak_denominator;
     s["bending_law"] = case_.cell.bending_law;
@@ -347,16 +352,16 @@ class PassageRun {
   const Case& case_;
   RunContext& context_;
   LatticeParameters l_;
-  PillarArray pillars_;
+  Device device_;
+  GapLine gap_;
   Lattice<Real> lattice_;
   Membrane membrane_;
   LateralFlow lateral_;
   std::optional<CoupledCell<Real>> cell_;
   ReturnMap map_;
-  double pillar_top_;
 
   PassageRecord record_;
-  PassageExtent extent_{0.0};
+  PassageExtent extent_{gap_.x};
   std::optional<Checkpoint> saved_;  ///< what the run goes on from; empty once it does
   std::optional<Failure> failure_;
   MembraneSnapshot last_good_;  ///< shape at the last sample that passed all checks

@@ -18,39 +18,27 @@ double expected_half_width(const Case& c, const LatticeParameters& l) {
 }
 
 /// Height of the separation streamline at x plus `half_width`, or the middle of the gap where there is none.
-double start_height(double x, double pillar_top, double half_width, const LatticeParameters& l,
-                    const PlaneField& field) {
-  const double middle = pillar_top + 0.5 * l.gap;
-  const PlaneFlow flow = field.flow();
+double start_height(double x, const GapLine& gap, double half_width, const PlaneField& field) {
+  const PlaneFlow flow = field.flow(gap);
   const Separation separation = separation_downstream(flow);
-  if (!separation.found) return middle;
+  if (!separation.found) return gap.middle();
   const Streamline upstream = trace_streamline(flow, separation.seed, -1, x);
-  if (upstream.end != StreamlineEnd::line) return middle;
+  if (upstream.end != StreamlineEnd::line) return gap.middle();
   return upstream.points(upstream.points.rows() - 1, 1) + half_width;
 }
 
 }  // namespace
 
-double surface_above_centre(const PillarArray& pillars) {
-  if (pillars.empty()) return 0.0;
-  double inside = 0.0, outside = 0.5 * pillars.pitch_y();
-  for (int k = 0; k < 60; ++k) {
-    const double middle = 0.5 * (inside + outside);
-    (pillars.signed_distance(0.0, middle) < 0.0 ? inside : outside) = middle;
-  }
-  return outside;
-}
-
-Eigen::MatrixX3d start_positions(const Case& c, const Eigen::MatrixX3d& shape, const PillarArray& pillars,
+Eigen::MatrixX3d start_positions(const Case& c, const Eigen::MatrixX3d& shape, const Device& device,
                                  const PlaneField& field) {
   const LatticeParameters l = to_lattice(c);
   const StartParameters& start = c.cell.start;
-  const double top = surface_above_centre(pillars);
+  const GapLine gap = device.gap_line();
   Eigen::RowVector3d centre(start.x_um / l.um_per_lu, 0.0, start.z_um / l.um_per_lu);
   if (start.gap_position_um >= 0.0) {
-    centre.y() = top + start.gap_position_um / l.um_per_lu;
+    centre.y() = gap.lower + start.gap_position_um / l.um_per_lu;
   } else {
-    centre.y() = pillars.empty() ? top : start_height(centre.x(), top, expected_half_width(c, l), l, field);
+    centre.y() = device.empty() ? gap.lower : start_height(centre.x(), gap, expected_half_width(c, l), field);
   }
   const double tilt = start.tilt_deg * std::numbers::pi / 180.0;
   Eigen::Matrix3d turn;

@@ -2,19 +2,16 @@
 /// Where a passage begins.
 #include <Eigen/Core>
 
-#include "geometry/pillar_array.hpp"
+#include "geometry/device.hpp"
 #include "measure/plane_field.hpp"
 #include "parameters/case.hpp"
 
 namespace dld {
 
-/// Height of a pillar's surface above its centre on the pillar line x = 0, lattice units; 0 without pillars.
-double surface_above_centre(const PillarArray& pillars);
-
 /// The shape (nv x 3, centred at 0) turned and moved to where the case wants it, lattice units. By default
 /// half a pitch before the first pillar line with the lower edge on the separation streamline of the
 /// cell-free flow `field`, which saves several pillars.
-Eigen::MatrixX3d start_positions(const Case& c, const Eigen::MatrixX3d& shape, const PillarArray& pillars,
+Eigen::MatrixX3d start_positions(const Case& c, const Eigen::MatrixX3d& shape, const Device& device,
                                  const PlaneField& field);
 
 }  // namespace dld

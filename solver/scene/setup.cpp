@@ -2,13 +2,7 @@
 
 namespace dld {
 
-PillarArray make_pillar_array(const Case& c) {
-  const LatticeParameters l = to_lattice(c);
-  return {make_pillar(c.geometry.pillar_shape, {l.pillar_radius}), static_cast<double>(l.nx),
-          static_cast<double>(l.ny), static_cast<double>(l.row_shift)};
-}
-
-UnitCell make_unit_cell(const Case& c, const PillarArray& pillars) {
+UnitCell make_unit_cell(const Case& c, const Device& device) {
   const LatticeParameters l = to_lattice(c);
   UnitCell cell;
   cell.nx = l.nx;
@@ -22,7 +16,9 @@ UnitCell make_unit_cell(const Case& c, const PillarArray& pillars) {
   cell.origin_y = offset - l.ny / 2;
   // The mid plane is z = 0; walls and the mirror plane lie half way between layers.
   cell.origin_z = l.half_height ? 0.5 : 0.5 - 0.5 * l.nz;
-  cell.distance = [&pillars](double x, double y, double) { return pillars.signed_distance(x, y); };
+  cell.distance = [&pillars = device.pillars()](double x, double y, double) {
+    return pillars.signed_distance(x, y);
+  };
   mark_solid(cell, c.geometry.surface_nodes == "solid");
   return cell;
 }

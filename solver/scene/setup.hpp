@@ -4,17 +4,15 @@
 
 #include "coupling/coupled_cell.hpp"
 #include "fluid/lattice.hpp"
-#include "geometry/pillar_array.hpp"
+#include "geometry/device.hpp"
 #include "geometry/unit_cell.hpp"
 #include "membrane/membrane.hpp"
 #include "parameters/units.hpp"
 
 namespace dld {
 
-PillarArray make_pillar_array(const Case& c);
-
-/// The unit cell with its solid nodes. The pillar array must outlive it.
-UnitCell make_unit_cell(const Case& c, const PillarArray& pillars);
+/// The unit cell with its solid nodes. The device must outlive it.
+UnitCell make_unit_cell(const Case& c, const Device& device);
 
 FluidModel make_fluid_model(const Case& c);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "coupling/coupled_cell.hpp"
+#include "geometry/no_pillar.hpp"
 #include "measure/deformation.hpp"
 #include "output/interrupt.hpp"
 #include "parameters/consistency.hpp"
@@ -55,7 +56,7 @@ Status run(const Case& c, RunContext& context) {
   moduli.bending_law = bending_law_by_name(c.cell.bending_law);
   if (c.cell.volume_control == "penalty") moduli.volume = c.cell.volume_modulus * moduli.shear / a;
   Membrane membrane(make_cell(c.cell.shape, c.cell.mesh_frequency, a), moduli);
-  const PillarArray no_pillars(make_pillar("none", {}), n, n, 0.0);
+  const PillarArray no_pillars(std::make_shared<const NoPillar>(), n, n, 0.0);
   CouplingModel coupling = make_coupling_model(c);
   coupling.wall_height = 0.5 * n;  // the walls are those of the box
   CoupledCell<Real> cell(lattice, membrane, no_pillars, coupling, membrane.reference().vertices);

@@ -10,6 +10,7 @@
 
 #include "parameters/consistency.hpp"
 #include "parameters/work.hpp"
+#include "scene/device_output.hpp"
 #include "scene/flow_output.hpp"
 #include "scene/monitor.hpp"
 #include "scene/registry.hpp"
@@ -48,8 +49,9 @@ void write_separatrix(RunContext& context, const char* name, const Separation& s
 template <class Real>
 Status run(const Case& c, RunContext& context) {
   const LatticeParameters l = to_lattice(c);
-  const PillarArray pillars = make_pillar_array(c);
-  const UnitCell cell = make_unit_cell(c, pillars);
+  const Device device = device_lu(c);
+  const PillarArray& pillars = device.pillars();
+  const UnitCell cell = make_unit_cell(c, device);
   Lattice<Real> lattice(cell, make_fluid_model(c));
   lattice.set_threads(context.threads);
   lattice.set_uniform_force(l.force_density, 0.0, 0.0);
@@ -58,8 +60,9 @@ Status run(const Case& c, RunContext& context) {
                                                  c.stop.steady_tolerance, c.stop.max_steps, context.progress);
   nlohmann::ordered_json& summary = context.summary;
   summary["row_shift_um"] = c.geometry.row_shift_um;
-  summary["epsilon"] = c.geometry.row_shift_um / c.geometry.pitch_um;
+  summary["epsilon"] = c.geometry.epsilon();
   summary["dx_um"] = c.fluid.lattice_spacing_um;
+  write_device(context, device, l.um_per_lu);
   summary["steps"] = steady.steps;
   summary["node_updates"] = steady.steps * static_cast<long>(lattice.fluid_nodes());
   summary["membrane_updates"] = 0;
@@ -78,7 +81,7 @@ Status run(const Case& c, RunContext& context) {
       mid_plane(lattice, [&pillars](double x, double y) { return pillars.signed_distance(x, y); });
   if (c.output.flow_field) write_plane_flow(context, field, l.um_per_lu);
   if (pillars.empty() || l.row_shift == 0) return steady.status;
-  const PlaneFlow flow = field.flow();
+  const PlaneFlow flow = field.flow(device.gap_line());
   const Separation downstream = separation_downstream(flow), upstream = separation_upstream(flow);
   write_separatrix(context, "downstream", downstream, l.um_per_lu,
                    "streamline that ends in the front stagnation point of the next pillar downstream");

@@ -13,6 +13,7 @@
 #include <cstdio>
 
 #include "coupling/coupled_cell.hpp"
+#include "geometry/no_pillar.hpp"
 #include "output/interrupt.hpp"
 #include "parameters/consistency.hpp"
 #include "parameters/work.hpp"
@@ -79,7 +80,7 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
   lattice.set_threads(context.threads);
   Membrane membrane(make_cell(c.cell.shape, c.cell.mesh_frequency, l.cell_radius),
                     stretching_moduli(c, shear_lu, l.cell_radius, c.cell.volume_control == "penalty"));
-  const PillarArray no_pillars(make_pillar("none", {}), lattice.cell().nx, lattice.cell().ny, 0.0);
+  const PillarArray no_pillars(std::make_shared<const NoPillar>(), lattice.cell().nx, lattice.cell().ny, 0.0);
   CouplingModel coupling = make_coupling_model(c);
   coupling.wall_height = lattice.cell().nz;  // the far wall; the mirror plane is z = 0
   CoupledCell<Real> cell(lattice, membrane, no_pillars, coupling, membrane.reference().vertices);

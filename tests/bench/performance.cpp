@@ -132,8 +132,8 @@ Case scene(int refinement, bool half) {
 template <class Real>
 void fluid(int refinement, bool half, double peak) {
   const Case c = scene(refinement, half);
-  const PillarArray pillars = make_pillar_array(c);
-  Lattice<Real> lattice(make_unit_cell(c, pillars), make_fluid_model(c));
+  const Device device = device_lu(c);
+  Lattice<Real> lattice(make_unit_cell(c, device), make_fluid_model(c));
   lattice.set_uniform_force(c.fluid.force_density, 0, 0);
   const int steps = 200 / (refinement * refinement * refinement) / (half ? 1 : 2) + 4;
   const double time = seconds([&] {
@@ -154,14 +154,14 @@ void whole_step(int refinement, bool half, int threads = 1, const CouplingParame
   Case c = scene(refinement, half);
   c.coupling = coupling;
   const LatticeParameters l = to_lattice(c);
-  const PillarArray pillars = make_pillar_array(c);
-  Lattice<Real> lattice(make_unit_cell(c, pillars), make_fluid_model(c));
+  const Device device = device_lu(c);
+  Lattice<Real> lattice(make_unit_cell(c, device), make_fluid_model(c));
   lattice.set_uniform_force(l.force_density, 0, 0);
   lattice.set_threads(threads);
   Membrane membrane(make_cell("red_blood_cell", c.cell.mesh_frequency, l.cell_radius), make_moduli(c));
   Eigen::MatrixX3d x = membrane.reference().vertices;
-  x.col(1).array() += l.pillar_radius + 0.5 * l.gap;  // in the gap
-  CoupledCell<Real> cell(lattice, membrane, pillars, make_coupling_model(c), x);
+  x.col(1).array() += device.gap_line().middle();
+  CoupledCell<Real> cell(lattice, membrane, device.pillars(), make_coupling_model(c), x);
   const int steps = refinement == 1 ? 200 : 20;
   const double time = seconds([&] {
     for (int k = 0; k < steps; ++k) cell.step();
@@ -193,8 +193,8 @@ void strong_scaling() {
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   for (const int refinement : {1, 2, 4}) {
     const Case c = scene(refinement, false);
-    const PillarArray pillars = make_pillar_array(c);
-    Lattice<float> lattice(make_unit_cell(c, pillars), make_fluid_model(c));
+    const Device device = device_lu(c);
+    Lattice<float> lattice(make_unit_cell(c, device), make_fluid_model(c));
     lattice.set_uniform_force(c.fluid.force_density, 0, 0);
     const int steps = 2 * (100 / (refinement * refinement * refinement) + 1);
     const std::string size = std::to_string(lattice.cell().nx) + "^2 x " + std::to_string(lattice.cell().nz);

@@ -24,7 +24,7 @@ Separations separations(double origin_x, double origin_y, EquilibriumModel equil
   const auto array = test::pillar_array(size);
   const PlaneField field =
       mid_plane(lattice, [&](double x, double y) { return array->signed_distance(x, y); });
-  const PlaneFlow flow = field.flow();
+  const PlaneFlow flow = field.flow({0, size.radius, size.ny - size.radius});
   return {separation_downstream(flow).seed_distance, separation_upstream(flow).seed_distance, mean[0],
           mean[1]};
 }

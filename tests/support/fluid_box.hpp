@@ -6,6 +6,8 @@
 #include <random>
 
 #include "fluid/lattice.hpp"
+#include "geometry/circle.hpp"
+#include "geometry/no_pillar.hpp"
 #include "geometry/pillar_array.hpp"
 #include "geometry/unit_cell.hpp"
 
@@ -25,8 +27,9 @@ inline double first_layer(const BoxSize& size) {
 }
 
 inline std::shared_ptr<const PillarArray> pillar_array(const BoxSize& size) {
-  return std::make_shared<const PillarArray>(make_pillar(size.radius > 0 ? "circle" : "none", {size.radius}),
-                                             size.nx, size.ny, size.row_shift);
+  std::shared_ptr<const PillarShape> shape = std::make_shared<const NoPillar>();
+  if (size.radius > 0) shape = std::make_shared<const Circle>(size.radius);
+  return std::make_shared<const PillarArray>(shape, size.nx, size.ny, size.row_shift);
 }
 
 /// Unit cell whose node (0, 0, .) stands at (origin_x, origin_y) relative to the pillar's centre.

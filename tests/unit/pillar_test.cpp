@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "geometry/circle.hpp"
+#include "geometry/no_pillar.hpp"
 #include "geometry/pillar_array.hpp"
 
 namespace dld {
@@ -13,7 +15,7 @@ namespace {
 constexpr double pitch = 80, radius = 25, shift = 15;
 
 PillarArray circles(double r) {
-  return {make_pillar("circle", {r}), pitch, pitch, shift};
+  return {std::make_shared<const Circle>(r), pitch, pitch, shift};
 }
 
 /// Distance to the nearest of many pillars, without any reduction.
@@ -26,16 +28,18 @@ double brute_force(double x, double y, double r) {
 }
 
 TEST(Pillar, RegistryMakesWhatItNames) {
-  for (const auto& name : pillar_shape_names()) EXPECT_NE(make_pillar(name, {1.0}), nullptr) << name;
-  EXPECT_THROW(make_pillar("hexagon of cheese", {1.0}), std::invalid_argument);
+  for (const auto& name : pillar_shape_names()) EXPECT_FALSE(pillar_doc(name).empty()) << name;
+  EXPECT_NE(make_pillar({"circle", {{"radius_um", {1.0}}}}), nullptr);
+  EXPECT_THROW(make_pillar({"hexagon of cheese", {}}), std::invalid_argument);
+  EXPECT_THROW(make_pillar({"circle", {}}), std::invalid_argument);
 }
 
 TEST(Pillar, CircleDistance) {
-  const auto circle = make_pillar("circle", {radius});
-  EXPECT_DOUBLE_EQ(circle->signed_distance(0, 0), -radius);
-  EXPECT_DOUBLE_EQ(circle->signed_distance(15, 20), 0);
-  EXPECT_DOUBLE_EQ(circle->signed_distance(-30, 40), 25);
-  EXPECT_GE(circle->bounding_radius(), radius);
+  const Circle circle(radius);
+  EXPECT_DOUBLE_EQ(circle.signed_distance(0, 0), -radius);
+  EXPECT_DOUBLE_EQ(circle.signed_distance(15, 20), 0);
+  EXPECT_DOUBLE_EQ(circle.signed_distance(-30, 40), 25);
+  EXPECT_GE(circle.bounding_radius(), radius);
 }
 
 TEST(PillarArray, DistanceIsThatToTheNearestOfAllImages) {
@@ -75,7 +79,7 @@ TEST(PillarArray, NormalsPointIntoTheFluid) {
 }
 
 TEST(PillarArray, NoPillarIsInfinitelyFar) {
-  const PillarArray none(make_pillar("none", {0}), pitch, pitch, shift);
+  const PillarArray none(std::make_shared<const NoPillar>(), pitch, pitch, shift);
   EXPECT_TRUE(none.empty());
   EXPECT_FALSE(circles(radius).empty());
   EXPECT_GT(none.signed_distance(3, 4), 1e100);

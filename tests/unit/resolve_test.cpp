@@ -134,9 +134,9 @@ TEST(Work, MemoryIsThatOfTheLattice) {
   c.geometry.pillar_radius_um = 5;
   for (const char* precision : {"single", "double"}) {
     c.fluid.precision = precision;
-    const PillarArray pillars = make_pillar_array(c);
+    const Device device = make_device(c);
     const double bytes = with_precision(c, [&]<class Real>() {
-      const UnitCell cell = make_unit_cell(c, pillars);
+      const UnitCell cell = make_unit_cell(c, device);
       return static_cast<double>(Lattice<Real>(cell, make_fluid_model(c)).memory_bytes());
     });
     EXPECT_NEAR(memory_bytes(c) / bytes, 1, 0.05) << precision;

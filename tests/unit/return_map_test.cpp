@@ -14,6 +14,7 @@ using dld::ReturnMapOptions;
 using dld::TrajectoryClass;
 
 constexpr double kPitch = 80, kTop = 25;
+constexpr dld::GapLine kGap{0, kTop, kPitch - kTop};
 
 /// A cell on a synthetic map: position above the pillar centre of its lane -> the same, one row on. Below
 /// zero the cell falls into the lane below. Feeds the crossings until the class is final.
@@ -25,7 +26,7 @@ class SyntheticCell {
   TrajectoryClass run(const std::function<double(double)>& step, int rows, double noise = 0) {
     std::uniform_real_distribution<double> random(-noise, noise);
     for (int k = 0; k < rows && map_.trajectory_class() == TrajectoryClass::running; ++k, ++row_) {
-      const Crossing c = dld::crossing_at(y_ + random(engine_), row_, kPitch, d_, kTop);
+      const Crossing c = dld::crossing_at(y_ + random(engine_), row_, kPitch, d_, kGap);
       map_.add(c);
       y_ += d_ + step(c.gap_position);
     }
@@ -50,7 +51,7 @@ TEST(Lane, PillarsFollowTheRowShift) {
   EXPECT_EQ(dld::lane_of(10, 0, kPitch, 15), 0);
   EXPECT_EQ(dld::lane_of(10, 1, kPitch, 15), -1);
   EXPECT_EQ(dld::lane_of(80 + 3 * 15 + 1, 3, kPitch, 15), 1);
-  const Crossing c = dld::crossing_at(80 + 3 * 15 + 31, 3, kPitch, 15, kTop);
+  const Crossing c = dld::crossing_at(80 + 3 * 15 + 31, 3, kPitch, 15, kGap);
   EXPECT_EQ(c.lane, 1);
   EXPECT_DOUBLE_EQ(c.gap_position, 6);
 }
@@ -184,8 +185,8 @@ TEST(ReturnMap, AFewBumpsProveNothing) {
 
 TEST(ReturnMap, RowsMustFollowEachOther) {
   ReturnMap map{ReturnMapOptions{}};
-  map.add(dld::crossing_at(30, 0, kPitch, 15, kTop));
-  EXPECT_THROW(map.add(dld::crossing_at(30, 2, kPitch, 15, kTop)), std::invalid_argument);
+  map.add(dld::crossing_at(30, 0, kPitch, 15, kGap));
+  EXPECT_THROW(map.add(dld::crossing_at(30, 2, kPitch, 15, kGap)), std::invalid_argument);
 }
 
 }  // namespace
