@@ -134,7 +134,7 @@ TEST(Work, MemoryIsThatOfTheLattice) {
   c.geometry.pillar_radius_um = 5;
   for (const char* precision : {"single", "double"}) {
     c.fluid.precision = precision;
-    const Device device = make_device(c);
+    const Device device = device_lu(c);
     const double bytes = with_precision(c, [&]<class Real>() {
       const UnitCell cell = make_unit_cell(c, device);
       return static_cast<double>(Lattice<Real>(cell, make_fluid_model(c)).memory_bytes());
