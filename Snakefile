@@ -60,6 +60,7 @@ include: "workflow/rules/figures_extent.smk"
 include: "workflow/rules/claims.smk"
 include: "workflow/rules/report.smk"
 include: "workflow/rules/paper.smk"
+include: "workflow/rules/packaging.smk"
 
 
 rule all:
