@@ -5,8 +5,12 @@ import re
 import subprocess
 
 import pytest
+import yaml
 from conftest import ROOT
+from short_passage import DLD, PASSAGE, needs_solver
+from study import cluster_cost, plan, requests
 from study.crate import crate
+from study.points import merged
 from study.software import libraries, locked_packages, software_list
 
 LOCKS = ("requirements", "requirements-build", "requirements-cluster")
@@ -111,3 +115,37 @@ def test_commands_and_files_of_a_page_exist(page):
 
 def test_continuous_integration_calls_the_one_script():
     assert "run: bash .ci/run" in text(".github/workflows/ci.yml")
+
+
+def test_the_page_of_the_cluster_packs_runs_as_the_profile_does():
+    profile = yaml.safe_load(text("workflow/profiles/slurm/config.yaml"))
+    assert profile["group-components"] == cluster_cost.SHARED
+    assert set(cluster_cost.SHARED) == set(requests.GROUPS)
+
+
+def test_jobs_are_scheduled_on_the_core_that_is_free_first():
+    assert cluster_cost.makespan([3, 3, 2, 2, 2], 2) == 7
+    assert cluster_cost.makespan([5, 1, 1], 1024) == 5
+    packed = cluster_cost.jobs([10.0] * 17 + [50.0] * 5 + [100.0])
+    start = cluster_cost.JOB_SECONDS
+    assert sorted(packed) == sorted(start + value for value in (160.0, 10.0, 200.0, 50.0, 100.0))
+
+
+def test_a_job_asks_for_more_after_every_failure():
+    case = plan.load_plan(ROOT / "params/study.json", "smoke")["runs"][0]["case"]
+    nothing = ROOT / "no/solver"
+    first = requests.minutes(nothing, case), requests.mebibytes(nothing, case)
+    assert first[0] > requests.OVERHEAD_MINUTES and first[1] >= requests.OVERHEAD_MIB
+    assert (requests.minutes(nothing, case, 3), requests.mebibytes(nothing, case, 3)) == (
+        4 * first[0],
+        4 * first[1],
+    )
+
+
+@needs_solver
+def test_what_a_job_asks_for_is_the_solvers_estimate():
+    seconds, memory = requests.estimate(DLD, PASSAGE)
+    assert 0 < seconds < 60 and memory > 0
+    assert requests.group(DLD, PASSAGE) == "runs_of_seconds"
+    with pytest.raises(ValueError, match="lattice_spacing_um"):
+        requests.estimate(DLD, merged(PASSAGE, {"fluid": {"lattice_spacing_um": 0}}))

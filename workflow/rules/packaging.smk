@@ -1,4 +1,5 @@
-"""What travels with the results, on request: `snakemake --cores 2 software_list crate`.
+"""What travels with the results, on request: `snakemake --cores 2 software_list crate`. And what the study costs on a
+cluster, for docs/cluster.md: `snakemake --cores 1 cluster_cost`.
 
 software.cdx.json is the list of the software with versions, hashes and licences (CycloneDX). ro-crate-metadata.json
 says what each file of the results is, with its checksum (RO-Crate 1.1); it describes what is there when it is made.
@@ -39,3 +40,15 @@ rule crate:
         tiers=sorted(load_study(STUDY)["tiers"]),
     shell:
         "python {input.script} --results {params.results} --tiers {params.tiers} 2> {log}"
+
+
+rule cluster_cost:
+    input:
+        passages=f"{TABLES}/passages.csv",
+        stages=f"{TABLES}/stage_times.csv",
+        script=f"{SCRIPTS}/cluster_cost.py",
+        code=["workflow/study/cluster_cost.py", "workflow/study/requests.py"],
+    params:
+        page="docs/cluster.md",
+    shell:
+        "python {input.script} --passages {input.passages} --stages {input.stages} --page {params.page}"
