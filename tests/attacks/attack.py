@@ -118,10 +118,10 @@ def cpu_seconds(process):
 
 
 def ended_within(process, seconds):
-    """Whether a process ends before it takes so many more seconds of a core, or 12 times as long asleep."""
+    """Whether a process ends before it takes so many more seconds of a core, or 30 times as long asleep."""
     used, started = cpu_seconds(process), time.monotonic()
     while process.poll() is None:
-        if cpu_seconds(process) - used > seconds or time.monotonic() - started > 12 * seconds:
+        if cpu_seconds(process) - used > seconds or time.monotonic() - started > 30 * seconds:
             return False
         time.sleep(0.02)
     return True
