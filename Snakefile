@@ -86,6 +86,7 @@ if "claims" in STUDY_TEXT:  # the study of a paper, judged by what is printed
     include: "workflow/rules/paper/report.smk"
     include: "workflow/rules/paper/paper.smk"
     include: "workflow/rules/paper/redraw.smk"
+    include: "workflow/rules/paper/packaging.smk"
 
     ALL_FILES = [
         *FLOW_TABLES,

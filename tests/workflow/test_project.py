@@ -84,6 +84,10 @@ def test_shell_programs_are_valid():
         "workflow/bootstrap",
         "workflow/reproduce",
         "workflow/test",
+        "workflow/test-cluster",
+        "workflow/test-container",
+        "workflow/test-deep",
+        "workflow/lock",
         "workflow/scripts/run_case",
         ".ci/run",
     ):

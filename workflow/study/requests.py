@@ -11,10 +11,8 @@ import subprocess
 from functools import cache
 from pathlib import Path
 
-from study.schedule import expected_updates
-
-#: Node updates a second of one core, as `dld check` counts with: for scenes of which it knows no cost.
-RATE = 150e6
+#: Seconds of a run of which the solver knows no cost, or that is planned before the solver is built.
+UNKNOWN_SECONDS = 60
 #: A job asks for this times the seconds estimated, doubled with every attempt: a run that is stopped goes on
 #: from its checkpoint, so asking for too little costs a start and no work.
 TIME_FACTOR = 8
@@ -35,13 +33,12 @@ def _estimate(dld, text):
             raise ValueError(f"{dld} check: {done.stderr.strip()}")
         checked = json.loads(done.stdout)
     cost = checked.get("expected_cost") or {}
-    seconds = cost.get("seconds_on_one_core") or expected_updates(json.loads(text)) / RATE
+    seconds = cost.get("seconds_on_one_core", UNKNOWN_SECONDS)
     return seconds, checked.get("memory_MiB", 0)
 
 
 def estimate(dld, case):
-    """(seconds, MiB) that a resolved case takes on one core, without any margin; by the schedule's rule where
-    the solver is not built or has no estimate."""
+    """(seconds, MiB) that a resolved case takes on one core, without any margin."""
     return _estimate(str(dld), json.dumps(case))
 
 
