@@ -17,7 +17,7 @@ min_version("9.0")
 os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
 sys.path.insert(0, os.path.join(workflow.basedir, "workflow"))
 
-from study.plan import ids, load_plan, study_brackets, validated, write_plan
+from study.plan import SCHEMAS, ids, load_plan, read_json, study_brackets, validated, write_plan
 from study.points import STUDY_GROUPS
 from study.validation import hint
 
@@ -27,6 +27,7 @@ for name in config:
     if name not in OPTIONS:
         raise ValueError(f"--config {name}: unknown; {hint(name, OPTIONS)}")
 TIER = str(config.get("tier", "paper"))
+CASE_SCHEMA = read_json(SCHEMAS / "case.schema.json")
 PLAN = load_plan(STUDY, TIER)
 validated(CLAIMS, "claims")  # before any run, although they are judged after all
 RESULTS = "results" if TIER == "paper" else f"results/{TIER}"

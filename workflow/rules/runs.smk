@@ -9,7 +9,7 @@ than a job that it has to do, and would find a changed bracket behind the plan i
 
 from study.schedule import run_priorities
 
-RUN_PRIORITIES = run_priorities(PLAN)
+RUN_PRIORITIES = run_priorities(PLAN, SECONDS)
 
 
 def run_priority(wildcards):

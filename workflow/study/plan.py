@@ -6,6 +6,7 @@ Defaults come from the case schema that the solver prints (`dld schema`), not fr
 
 import hashlib
 import json
+from itertools import product
 from pathlib import Path
 
 from study import points, stability
@@ -26,14 +27,11 @@ from study.validation import (
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMAS = ROOT / "workflow" / "schemas"
 
-#: Sections of a case that a scene reads; the others would only split identical runs.
-SECTIONS = {
-    "streamlines": ["geometry", "fluid", "stop", "output"],
-    "passage": ["geometry", "fluid", "cell", "coupling", "stop", "output"],
-    "stretching": ["geometry", "fluid", "cell", "coupling", "stop", "stretching", "output"],
-    "shear": ["fluid", "cell", "coupling", "stop", "shear", "output"],
-    "channel": ["geometry", "fluid", "stop", "channel", "output"],
-}
+#: Where the runs of a tier come from, before and after its brackets, and its brackets.
+SOURCES = (points.streamlines, points.stokes, points.stretching, points.passages, points.sensitivity)
+SOURCES += (stability.maps, stability.long_run)
+BRACKET_SOURCES = (points.boundary_brackets, points.sensitivity_brackets, points.uncertainty_brackets)
+LAST_SOURCES = (points.accuracy, points.settings_check)
 
 
 def read_json(path):
@@ -84,15 +82,16 @@ def with_preset(case, case_schema):
 
 
 def resolved(case, case_schema):
-    """The case with all defaults, reduced to the sections that its scene reads; a ValueError that lists every
-    violation of the schema."""
+    """The case with all defaults, reduced to the sections that its scene reads (an annotation of the schema,
+    as the presets are); a ValueError that lists every violation of the schema."""
     found = problems(case, case_schema)
     if found:
         raise ValueError("; ".join(found))
     full = with_defaults(with_preset(case, case_schema), case_schema)
     if "epsilon" in case.get("geometry", {}):
         full["geometry"].pop("row_shift_um", None)
-    return {"scene": full["scene"]} | {name: full[name] for name in SECTIONS[full["scene"]]}
+    sections = case_schema["properties"]["scene"]["x-sections"][full["scene"]]
+    return {"scene": full["scene"]} | {name: full[name] for name in sections}
 
 
 def run_id(case, solver_model):
@@ -188,19 +187,17 @@ def make_plan(study, tier_name, case_schema):
         raise ValueError(f"there is no tier '{tier_name}'; {hint(tier_name, study['tiers'])}")
     tier = study["tiers"][tier_name]
     planner = _Planner(case_schema, study["solver_model"])
-    sources = (points.streamlines, points.stokes, points.stretching, points.passages, points.sensitivity)
-    sources += (stability.maps, stability.long_run)
-    runs = planner.all_of(sources, tier)
+    runs = planner.all_of(SOURCES, tier)
     passages = [run for run in runs if run["case"]["scene"] == "passage"]
     static = {axis: _by_line(passages, axis) for axis in AXES}
     brackets = {}
-    for source in (points.boundary_brackets, points.sensitivity_brackets, points.uncertainty_brackets):
+    for source in BRACKET_SOURCES:
         for name, definition, overlay in source(tier):
             found = planner.bracket(name, definition, overlay, static[definition["axis"]])
             brackets[name] = found[0]
             runs += found[1]
     # Last, so that the brackets do not wait for runs that only the target `accuracy` needs.
-    runs += planner.all_of((points.accuracy, points.settings_check), tier)
+    runs += planner.all_of(LAST_SOURCES, tier)
     return {
         "tier": tier_name,
         "note": tier["note"],
@@ -213,6 +210,23 @@ def make_plan(study, tier_name, case_schema):
         "brackets": brackets,
         "runs": runs,
     }
+
+
+def plan_points(tier, plan, case_schema):
+    """(words, overlay, identity) of every point of a tier: what it is called, what it says itself, its run.
+
+    The values of the tier go into the overlays as they are, so that they can carry marks of where they come
+    from.
+    """
+    for group, labels, overlay in (point for source in SOURCES + LAST_SOURCES for point in source(tier)):
+        words = " ".join([group, *(f"{key}={value}" for key, value in labels.items())])
+        yield words, overlay, run_id(resolved(overlay, case_schema), plan["solver_model"])
+    for name, definition, overlay in (point for source in BRACKET_SOURCES for point in source(tier)):
+        (section, key), (low, high) = AXES[definition["axis"]], definition["ends"]
+        step = [low + definition["step"]] if "step" in definition else []
+        for value, part in product((low, high, *step), ({}, *definition["confirm"].values())):
+            point = merged(overlay, part, {section: {key: value}})
+            yield f"bracket {name}", point, run_id(resolved(point, case_schema), plan["solver_model"])
 
 
 def study_brackets(plan):
