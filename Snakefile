@@ -25,7 +25,7 @@ from study import progress
 from study.failures import failed_runs, forget
 from study.folders import PAPER, results_folder, study_file
 from study.lock import Busy, only_looks, taken
-from study.plan import ids, load_plan, load_study, study_brackets, validated, write_plan
+from study.plan import SCHEMAS, ids, load_plan, load_study, read_json, study_brackets, validated, write_plan
 from study.points import STUDY_GROUPS
 from study.validation import hint
 
@@ -36,6 +36,7 @@ for name in config:
 STUDY = study_file(str(config.get("study", PAPER)))
 STUDY_TEXT = load_study(STUDY)
 TIER = str(config.get("tier", next(iter(STUDY_TEXT["tiers"]))))
+CASE_SCHEMA = read_json(SCHEMAS / "case.schema.json")
 PLAN = load_plan(STUDY, TIER)
 RESULTS = results_folder(STUDY, TIER, STUDY_TEXT["tiers"])
 RUNS = "results/runs"  # shared by all studies and tiers: a run's name is its case

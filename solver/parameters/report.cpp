@@ -67,7 +67,7 @@ Json expected_cost(const Case& c) {
           {"steps", std::round(work.steps)},
           {"node_updates", std::round(work.node_updates)},
           {"membrane_updates", std::round(work.membrane_updates)},
-          {"seconds_on_one_core", std::round(100 * work.seconds_on_one_core) / 100}};
+          {"seconds_on_one_core", std::round(1e4 * work.seconds_on_one_core) / 1e4}};
 }
 
 Json margins_json(const std::vector<Margin>& margins) {

@@ -132,7 +132,7 @@ def test_jobs_are_scheduled_on_the_core_that_is_free_first():
 
 
 def test_a_job_asks_for_more_after_every_failure():
-    case = plan.load_plan(ROOT / "params/study.json", "smoke")["runs"][0]["case"]
+    case = plan.load_plan(ROOT / "params/studies/krueger2014.json", "smoke")["runs"][0]["case"]
     nothing = ROOT / "no/solver"
     first = requests.minutes(nothing, case), requests.mebibytes(nothing, case)
     assert first[0] > requests.OVERHEAD_MINUTES and first[1] >= requests.OVERHEAD_MIB

@@ -6,7 +6,7 @@ values stand in the state before, and joins them. A bracket that is done asks fo
 run nothing. The runs of a level go to the same folders as all others and are shared with them.
 """
 
-from study.schedule import bracket_priority, expected_updates, priority
+from study.schedule import bracket_priority, case_priority
 
 BRACKETS = f"{RESULTS}/brackets"
 SIDES = ["low", "high"]
@@ -35,12 +35,12 @@ def bracket_identity(wildcards):
 
 def level_priority(wildcards):
     """Priority of a job of a bracket: the work of its level and of those that wait for it."""
-    return bracket_priority(PLAN["brackets"][wildcards.bracket], int(wildcards.get("level", 0)))
+    return bracket_priority(PLAN["brackets"][wildcards.bracket], int(wildcards.get("level", 0)), PLAN, SECONDS)
 
 
 def confirmation_priority(wildcards):
     """Priority of a run that confirms an end of a bracket: nothing waits for it."""
-    return priority(expected_updates(PLAN["brackets"][wildcards.bracket]["confirm"][wildcards.label]))
+    return case_priority(PLAN["brackets"][wildcards.bracket]["confirm"][wildcards.label], PLAN, SECONDS)
 
 
 def known_runs(wildcards):

@@ -1,7 +1,7 @@
 """Solver runs, one folder each, named by the hash of the resolved case.
 
 The solver and the plan are `ancient`: a run depends on its case alone, which its name identifies. A change of
-the solver that changes results raises `solver_model` in params/study.json, and with it every identity. The
+the solver that changes results raises `solver_model` in solver/parameters/schema.cpp, and with it every identity. The
 plan is written when the Snakefile is read, if it has changed, and by no rule: Snakemake (9.27) looks no further
 than a job that it has to do, and would find a changed bracket behind the plan in its next run only.
 """
@@ -9,7 +9,7 @@ than a job that it has to do, and would find a changed bracket behind the plan i
 
 from study.schedule import run_priorities
 
-RUN_PRIORITIES = run_priorities(PLAN)
+RUN_PRIORITIES = run_priorities(PLAN, SECONDS)
 
 
 def run_priority(wildcards):

@@ -39,7 +39,11 @@ def taken(path, words):
         file.close()
         raise Busy(busy(holder)) from None
     file.truncate(0)
-    holder = {"process": os.getpid(), "since": time.strftime("%Y-%m-%d %H:%M:%S"), "command": shlex.join(words)}
+    holder = {
+        "process": os.getpid(),
+        "since": time.strftime("%Y-%m-%d %H:%M:%S"),
+        "command": shlex.join(words),
+    }
     file.write(json.dumps(holder))
     file.flush()
     return file

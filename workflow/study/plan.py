@@ -6,6 +6,7 @@ Defaults come from the case schema that the solver prints (`dld schema`), not fr
 
 import hashlib
 import json
+from itertools import product
 from pathlib import Path
 
 from study import points, stability
@@ -26,15 +27,7 @@ from study.validation import (
 
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMAS = ROOT / "workflow" / "schemas"
-
-#: Sections of a case that a scene reads; the others would only split identical runs.
-SECTIONS = {
-    "streamlines": ["geometry", "fluid", "stop", "output"],
-    "passage": ["geometry", "fluid", "cell", "coupling", "stop", "output"],
-    "stretching": ["geometry", "fluid", "cell", "coupling", "stop", "stretching", "output"],
-    "shear": ["fluid", "cell", "coupling", "stop", "shear", "output"],
-    "channel": ["geometry", "fluid", "stop", "channel", "output"],
-}
+CELLS = ROOT / "params" / "cells"
 
 #: (section, key, keys whose place it takes): two ways of saying the same, of which a case has one.
 ALTERNATIVES = [
@@ -91,8 +84,8 @@ def with_preset(case, case_schema):
 
 
 def resolved(case, case_schema):
-    """The case with all defaults, reduced to the sections that its scene reads; a ValueError that lists every
-    violation of the schema."""
+    """The case with all defaults, reduced to the sections that its scene reads (an annotation of the schema,
+    as the presets are); a ValueError that lists every violation of the schema."""
     found = problems(case, case_schema)
     if found:
         raise ValueError("; ".join(found))
@@ -103,7 +96,8 @@ def resolved(case, case_schema):
                 full[section].pop(key, None)
     if "x_um" not in case.get("cell", {}).get("start", {}):
         full["cell"]["start"]["x_um"] = -full["geometry"]["pitch_um"] / 2  # between two rows of any device
-    return {"scene": full["scene"]} | {name: full[name] for name in SECTIONS[full["scene"]]}
+    sections = case_schema["properties"]["scene"]["x-sections"][full["scene"]]
+    return {"scene": full["scene"]} | {name: full[name] for name in sections}
 
 
 def run_id(case, solver_model):
@@ -264,7 +258,7 @@ BRACKET_SOURCES = [
     ("uncertainty", points.uncertainty_brackets),
 ]
 #: Last, so that the brackets do not wait for runs that only the target `accuracy` needs.
-LATE_SOURCES = [("accuracy", points.accuracy), ("accuracy", points.settings_check)]
+LAST_SOURCES = [("accuracy", points.accuracy), ("accuracy", points.settings_check)]
 
 
 def _present(tier, sources):
@@ -276,7 +270,7 @@ def make_plan(study, tier_name, case_schema):
     """The plan of a tier: its settings, its runs (id, group, labels, resolved case) and its brackets."""
     if tier_name not in study["tiers"]:
         raise ValueError(f"there is no tier '{tier_name}'; {hint(tier_name, study['tiers'])}")
-    tier = study["tiers"][tier_name] | case_parts(study, ROOT / "params" / "cells")
+    tier = study["tiers"][tier_name] | case_parts(study, CELLS)
     planner = _Planner(case_schema)
     runs = planner.all_of(_present(tier, SOURCES), tier)
     passages = [run for run in runs if run["case"]["scene"] == "passage"]
@@ -287,7 +281,7 @@ def make_plan(study, tier_name, case_schema):
             found = planner.bracket(name, definition, overlay, static[definition["axis"]])
             brackets[name] = found[0]
             runs += found[1]
-    runs += planner.all_of(_present(tier, LATE_SOURCES), tier)
+    runs += planner.all_of(_present(tier, LAST_SOURCES), tier)
     return {
         "study": study["title"],
         "purpose": study["purpose"],
@@ -304,6 +298,27 @@ def make_plan(study, tier_name, case_schema):
         "brackets": brackets,
         "runs": runs,
     }
+
+
+def plan_points(tier, plan, case_schema):
+    """(words, overlay, identity) of every point of a tier: what it is called, what it says itself, its run.
+
+    The values of the tier go into the overlays as they are, so that they can carry marks of where they come
+    from.
+    """
+    for group, labels, overlay in (
+        point for source in _present(tier, SOURCES + LAST_SOURCES) for point in source(tier)
+    ):
+        words = " ".join([group, *(f"{key}={value}" for key, value in labels.items())])
+        yield words, overlay, run_id(resolved(overlay, case_schema), plan["solver_model"])
+    for name, definition, overlay in (
+        point for source in _present(tier, BRACKET_SOURCES) for point in source(tier)
+    ):
+        (section, key), (low, high) = AXES[definition["axis"]], definition["ends"]
+        step = [low + definition["step"]] if "step" in definition else []
+        for value, part in product((low, high, *step), ({}, *definition["confirm"].values())):
+            point = merged(overlay, part, {section: {key: value}})
+            yield f"bracket {name}", point, run_id(resolved(point, case_schema), plan["solver_model"])
 
 
 def study_brackets(plan):

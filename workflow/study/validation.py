@@ -245,8 +245,8 @@ def _circles(tier):
 
 def inconsistencies(tier, devices, cells):
     """(path, text) of what a schema cannot see in a tier in full: sections and names without what they refer
-    to, ranges that go backwards or of a row shift that the series does not have, methods that extend one another
-    in a circle."""
+    to, ranges that go backwards or of a row shift that the series does not have, methods that extend one
+    another in a circle."""
     tier = tier | {"devices": devices, "cells": cells}
     lacking = [
         ([section], f"needs the section {other}; add it or leave {section} out")
