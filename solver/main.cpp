@@ -6,8 +6,9 @@
 ///   plan dld schema                                          JSON Schema of case files
 ///
 /// Exit codes: 0 done, 2 bad parameters, 3 diverged, 4 input/output, 5 checkpoint of another case or build,
-/// 128 + signal when interrupted.
+/// 128 + signal when interrupted: 130 Ctrl-C, 143 SIGTERM, 142 end of --wall-time.
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 
@@ -42,6 +43,8 @@ struct RunOptions {
   std::string case_file, output_file, summary_file;
   bool force = false, no_resume = false;
   int threads = 1;
+  double checkpoint_minutes = default_checkpoint_minutes;
+  double wall_time_minutes = 0.0;  // 0: no end
 };
 
 // Prints the violated margins; true if none of them makes the run diverge, or if it is forced.
@@ -68,7 +71,7 @@ void explain_divergence(const Json& summary, const Hdf5File& out, bool state_kep
   const std::string output = out.path().string();
   if (summary.contains("last_good_step"))
     std::cerr << "  last good shape: /membrane/last_good in " << output << "\n";
-  if (state_kept) std::cerr << "  state at the last pillar line: " << output << ".last_good.checkpoint\n";
+  if (state_kept) std::cerr << "  last state that was saved: " << output << ".last_good.checkpoint\n";
 }
 
 void write_root_attributes(Hdf5File& out, const Case& c, const Json& summary, int threads) {
@@ -134,7 +137,8 @@ int run(const RunOptions& options) {
   require_different_files(files_of(options));
   const Case c = read_case(options.case_file);
   if (!may_run(c, options.case_file, options.force)) return bad_parameters;
-  catch_interrupts();
+  catch_interrupts(Hdf5File::part_of(options.output_file));
+  if (options.wall_time_minutes > 0.0) limit_wall_time(options.wall_time_minutes);
   try_summary(options.summary_file);
   Hdf5File out(options.output_file);
   Progress progress;
@@ -142,10 +146,11 @@ int run(const RunOptions& options) {
                      .progress = progress,
                      .checkpoint = options.output_file + ".checkpoint",
                      .resume = !options.no_resume,
-                     .threads = options.threads};
+                     .threads = options.threads,
+                     .save_timer = SaveTimer(options.checkpoint_minutes)};
   const Status status = find_scene(c.scene)(c, context);
   if (status == Status::interrupted) {
-    std::cerr << "interrupted; the same command "
+    std::cerr << (interrupted() == SIGALRM ? "the wall time is over" : "interrupted") << "; the same command "
               << (context.owns_checkpoint ? "continues from " + context.checkpoint.string() : "starts afresh")
               << "\n";
     return signal_base + interrupted();
@@ -226,6 +231,16 @@ int command_line(int argc, char** argv) {
       ->capture_default_str();
   run_command->add_flag("--force", options.force, "run although a stability margin is violated");
   run_command->add_flag("--no-resume", options.no_resume, "ignore a checkpoint");
+  run_command
+      ->add_option("--checkpoint-minutes", options.checkpoint_minutes,
+                   "wall time from one checkpoint to the next; no result depends on it")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  run_command
+      ->add_option("--wall-time", options.wall_time_minutes,
+                   "minutes after which the run has stopped with its state saved (exit code 142); the same "
+                   "command goes on")
+      ->check(CLI::Range(0.001, 1e6));
   std::string case_file;
   CLI::App* check_command = app.add_subcommand("check", "print the resolved case and its derived numbers");
   check_command->add_option("case", case_file, "case file (JSON)")->required();

@@ -30,7 +30,22 @@ CoupledCell<Real>::CoupledCell(Lattice<Real>& lattice, Membrane& membrane, const
   // Both limits are those of one update.
   const double steps = model_.steps_per_update;
   model_.mobility = stable_mobility(membrane_, steps * model_.mobility) / steps;
+  update_viscosity();
+}
+
+template <class Real>
+void CoupledCell<Real>::restore(const State& state) {
+  positions_ = state.marked;
+  update_viscosity();
+  positions_ = state.positions;
+  steps_ = state.steps;
+  odd_columns_before_ = state.odd_columns - viscosity_.odd_columns();
+}
+
+template <class Real>
+void CoupledCell<Real>::update_viscosity() {
   viscosity_.update(positions_);
+  marked_ = positions_;
 }
 
 template <class Real>
@@ -48,7 +63,7 @@ void CoupledCell<Real>::load_fluid() {
   volume_ = membrane_forces_.forces(positions_, forces_, gradient_).volume;
   if (external_forces.rows() == forces_.rows()) forces_ += external_forces;
   add_repulsion();
-  if (steps_ / model_.steps_per_update % model_.viscosity_update_interval == 0) viscosity_.update(positions_);
+  if (steps_ / model_.steps_per_update % model_.viscosity_update_interval == 0) update_viscosity();
   if (model_.retraction > 0.0 || model_.kink_mobility > 0.0) normals_ = gradient_.rowwise().normalized();
   if (model_.retraction > 0.0) {
     points_ = positions_ - model_.retraction * normals_;

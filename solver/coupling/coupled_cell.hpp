@@ -69,17 +69,22 @@ class CoupledCell {
   /// Extra force on every node (nv x 3), e.g. of an optical tweezer; empty for none.
   Eigen::MatrixX3d external_forces;
 
+  /// Everything that a step depends on besides the fluid, between two updates of the membrane.
+  struct State {
+    Eigen::MatrixX3d positions;
+    Eigen::MatrixX3d marked;  ///< positions at the last update of the inside/outside field
+    long steps = 0, odd_columns = 0;
+  };
+  State state() const { return {positions_, marked_, steps_, odd_columns()}; }
+  void restore(const State& state);
   void restore(const Eigen::MatrixX3d& positions, long step) {
-    positions_ = positions;
-    steps_ = step;
-    refresh_viscosity();
+    restore({positions, positions, step, odd_columns()});
   }
-  /// Brings the inside/outside field up to date between its regular updates: to be called where a checkpoint
-  /// is saved, so that the run that goes on and the run that resumes are the same to the last bit.
-  void refresh_viscosity() { viscosity_.update(positions_); }
+  /// Brings the inside/outside field up to date between its regular updates.
+  void refresh_viscosity() { update_viscosity(); }
   /// Mobility of the sub-grid regularisation that is in use.
   double mobility() const { return model_.mobility; }
-  long odd_columns() const { return viscosity_.odd_columns(); }
+  long odd_columns() const { return odd_columns_before_ + viscosity_.odd_columns(); }
 
  private:
   /// Forces of the membrane at its place, spread to the fluid.
@@ -95,6 +100,7 @@ class CoupledCell {
   static constexpr double closest_to_wall = 0.05;
   void hold_off_walls();
   void project_volume();
+  void update_viscosity();
 
   Lattice<Real>& lattice_;
   Membrane& membrane_;
@@ -104,6 +110,7 @@ class CoupledCell {
   ImmersedBoundary<Real> boundary_;
   ViscosityField<Real> viscosity_;
   Eigen::MatrixX3d positions_, velocities_, forces_;
+  Eigen::MatrixX3d marked_;    ///< positions_ when the inside/outside field was made
   Eigen::MatrixX3d gradient_;  ///< of volume_
   Eigen::MatrixX3d normals_;   ///< outward, of length one
   Eigen::MatrixX3d points_;    ///< of the coupling, where they are not the nodes
@@ -113,6 +120,7 @@ class CoupledCell {
   double film_ = 0.0, max_speed_ = 0.0;
   bool failed_ = false;
   long steps_ = 0;
+  long odd_columns_before_ = 0;  ///< counted by the run that this one goes on from
 };
 
 extern template class CoupledCell<float>;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace dld {
@@ -71,6 +73,44 @@ void PassageExtent::update(const Eigen::MatrixX3d& vertices, const Eigen::Matrix
   previous_ = sample;
   has_previous_ = true;
   passed_ = vertices.col(0).minCoeff() > x_line_;
+}
+
+std::vector<double> PassageExtent::numbers() const {
+  return {x_line_,
+          max_width_,
+          width_at_centre_,
+          height_at_max_,
+          min_film_,
+          step_at_centre_,
+          y_at_centre_,
+          static_cast<double>(step_at_max_),
+          centre_passed_ ? 1.0 : 0.0,
+          passed_ ? 1.0 : 0.0,
+          has_previous_ ? 1.0 : 0.0,
+          previous_.centre.x(),
+          previous_.centre.y(),
+          previous_.centre.z(),
+          previous_.width,
+          static_cast<double>(previous_.step)};
+}
+
+PassageExtent PassageExtent::from(const std::vector<double>& numbers, Eigen::MatrixX3d vertices_at_max) {
+  const auto& n = numbers;
+  PassageExtent extent(n.at(0));
+  if (n.size() != extent.numbers().size()) throw std::invalid_argument("not the numbers of a PassageExtent");
+  extent.max_width_ = n[1];
+  extent.width_at_centre_ = n[2];
+  extent.height_at_max_ = n[3];
+  extent.min_film_ = n[4];
+  extent.step_at_centre_ = n[5];
+  extent.y_at_centre_ = n[6];
+  extent.step_at_max_ = static_cast<long>(n[7]);
+  extent.centre_passed_ = n[8] != 0.0;
+  extent.passed_ = n[9] != 0.0;
+  extent.has_previous_ = n[10] != 0.0;
+  extent.previous_ = {{n[11], n[12], n[13]}, n[14], static_cast<long>(n[15])};
+  extent.vertices_at_max_ = std::move(vertices_at_max);
+  return extent;
 }
 
 }  // namespace dld

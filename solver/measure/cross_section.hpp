@@ -2,6 +2,7 @@
 /// Section of the membrane with a pillar line and the lateral extent D_perp of the cell on it. Lattice units.
 #include <Eigen/Core>
 #include <cmath>
+#include <vector>
 
 namespace dld {
 
@@ -42,11 +43,16 @@ class PassageExtent {
   double y_at_centre() const { return y_at_centre_; }        ///< y of the centroid on the line (lu)
   const Eigen::MatrixX3d& vertices_at_max() const { return vertices_at_max_; }  ///< (nv, 3) lu
 
+  /// All it knows besides vertices_at_max(), in an order of its own, and the way back: for a checkpoint in the
+  /// middle of a passage.
+  std::vector<double> numbers() const;
+  static PassageExtent from(const std::vector<double>& numbers, Eigen::MatrixX3d vertices_at_max);
+
  private:
   struct Sample {
-    Eigen::Vector3d centre;
-    double width;
-    long step;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    double width = 0;
+    long step = 0;
   };
   void interpolate_centre(const Sample& before, const Sample& after);
 

@@ -23,10 +23,12 @@ struct Problem {
   Eigen::MatrixX3d x, f;
   double residual = 0;
   int iterations = 0;
+  const std::function<bool()>& stop;
+  bool stopped = false;
 
   Problem(Membrane& m, const ContactPatches& p, double force, const Eigen::MatrixX3d& start,
           const MinimiserOptions& options)
-      : membrane(m), patches(p), pull(force), x(start), f(start.rows(), 3) {
+      : membrane(m), patches(p), pull(force), x(start), f(start.rows(), 3), stop(options.stop) {
     const double shear = m.moduli().shear, area = m.reference_area();
     length_unit = std::sqrt(area / static_cast<double>(m.face_count()));
     energy_unit = shear * length_unit * length_unit;
@@ -44,7 +46,10 @@ struct Problem {
   }
 
   /// Potential energy at u (positions over the length unit) and its gradient g, both scaled.
+  /// Infinite, and without computing anything, once the search is to stop: its line search then gives up.
   double evaluate(std::span<const double> u, std::span<double> g) {
+    stopped = stopped || (stop && stop());
+    if (stopped) return HUGE_VAL;
     x = length_unit * Eigen::Map<const Eigen::MatrixX3d>(u.data(), x.rows(), 3);
     update();
     Eigen::Map<Eigen::MatrixX3d>(g.data(), x.rows(), 3) = (-length_unit / energy_unit) * f;
@@ -61,7 +66,7 @@ double evaluate(void* problem, const double* u, double* g, int n, double) {
 int progress(void* problem, const double*, const double*, double, double, double, double, int, int k, int) {
   auto& p = *static_cast<Problem*>(problem);
   p.iterations = k;
-  return p.residual < p.tolerance ? 1 : 0;
+  return p.stopped || p.residual < p.tolerance ? 1 : 0;
 }
 
 /// One run of L-BFGS from problem.x.
@@ -113,7 +118,7 @@ StretchedShape stretch(Membrane& membrane, const ContactPatches& patches, double
   int iterations = 0;
   constexpr int max_restarts = 5;
   for (int run = 0; run <= max_restarts && problem.residual >= problem.tolerance; ++run) {
-    if (iterations >= options.max_iterations) break;
+    if (iterations >= options.max_iterations || problem.stopped) break;
     problem.iterations = 0;
     minimise(problem, options.max_iterations - iterations);
     iterations += problem.iterations;
@@ -126,7 +131,8 @@ StretchedShape stretch(Membrane& membrane, const ContactPatches& patches, double
   shape.energy = membrane.energy(problem.x);
   shape.iterations = iterations;
   shape.residual = problem.residual;
-  shape.converged = problem.residual < problem.tolerance;
+  shape.stopped = problem.stopped;
+  shape.converged = !problem.stopped && problem.residual < problem.tolerance;
   return shape;
 }
 

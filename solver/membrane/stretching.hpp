@@ -3,6 +3,7 @@
 ///   E(x) - F (mean x over the right patch - mean x over the left patch).
 /// Any consistent units; with um and pN, 1 uN/m = 1 pN/um, 1 J = 1e18 pN um and energies are in pN um.
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "membrane/membrane.hpp"
@@ -35,12 +36,14 @@ struct StretchedShape {
   int iterations = 0;         ///< of the minimiser
   double residual = 0;        ///< largest unbalanced nodal force
   bool converged = false;     ///< residual below the tolerance
+  bool stopped = false;       ///< by MinimiserOptions::stop
 };
 
 /// Accuracy of the minimiser.
 struct MinimiserOptions {
   double force_tolerance = 1e-5;  ///< largest nodal force / (kS r), 4 pi r^2 the area; 1e-6 is in reach
   int max_iterations = 20000;
+  std::function<bool()> stop = {};  ///< asked before every evaluation; true ends the search at once
 };
 
 /// Shape at rest under `force`, from the shape `start` (the reference or the last step of the ladder).

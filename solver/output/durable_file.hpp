@@ -23,8 +23,8 @@ void append_durably(const std::filesystem::path& path, std::span<const char> byt
 /// All bytes of a file. Throws IoError.
 std::vector<char> read_bytes(const std::filesystem::path& path);
 
-/// Checksum over every byte (FNV-1a, 64 bits): tells a damaged file, not a forged one.
-std::uint64_t checksum(std::span<const char> bytes);
+/// Checksum over every byte (CRC-32, as of gzip): tells a damaged file, not a forged one.
+std::uint32_t checksum(std::span<const char> bytes);
 
 /// Gives a file that the disk has the place of another, and waits until the disk knows. Throws IoError.
 void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to);

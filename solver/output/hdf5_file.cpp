@@ -27,8 +27,7 @@ std::vector<hsize_t> chunk_shape(const std::vector<hsize_t>& dims, std::size_t b
 constexpr std::size_t seal_length = 44;
 std::string seal_of(std::span<const char> data) {
   char text[seal_length + 1];
-  std::snprintf(text, sizeof text, "\ndld seal %016zx %016llx\n", data.size(),
-                static_cast<unsigned long long>(checksum(data)));
+  std::snprintf(text, sizeof text, "\ndld seal %016zx %016zx\n", data.size(), std::size_t{checksum(data)});
   return text;
 }
 
@@ -60,7 +59,7 @@ void ensure_object(hid_t file, const std::string& object) {
 
 }  // namespace
 
-Hdf5File::Hdf5File(std::filesystem::path path) : path_(std::move(path)), part_(path_.string() + ".part") {
+Hdf5File::Hdf5File(std::filesystem::path path) : path_(std::move(path)), part_(part_of(path_)) {
   silence_hdf5();
   const std::string what = "cannot create " + part_.string() + " (does the folder exist, is it writable?)";
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, what);

@@ -61,6 +61,7 @@ Status run(const Case& c, RunContext& context) {
   lattice.set_uniform_force(l.force_density, 0.0, 0.0);
   const SteadyState steady = run_to_steady_state(lattice, LateralFlow(false, l), c.stop.steady_tolerance,
                                                  c.stop.max_steps, context.progress);
+  if (steady.status == Status::interrupted) return steady.status;
 
   std::vector<double> ys, zs, simulated, exact;
   double largest = 0.0, centre = 0.0;

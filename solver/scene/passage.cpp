@@ -17,10 +17,9 @@
 #include "coupling/coupled_cell.hpp"
 #include "measure/cross_section.hpp"
 #include "measure/return_map.hpp"
-#include "output/provenance.hpp"
 #include "parameters/consistency.hpp"
-#include "parameters/reader.hpp"
 #include "parameters/work.hpp"
+#include "scene/coupled_state.hpp"
 #include "scene/device_output.hpp"
 #include "scene/flow_output.hpp"
 #include "scene/monitor.hpp"
@@ -45,13 +44,31 @@ class PassageRun {
         lattice_(make_unit_cell(c, device_), make_fluid_model(c)),
         membrane_(make_cell(c.cell.shape, c.cell.mesh_frequency, l_.cell_radius), make_moduli(c)),
         lateral_(c.fluid.lateral_flow == "blocked", l_),
-        map_(map_options(c)) {
+        map_(map_options(c)),
+        unit_(whole_steps(make_coupling_model(c))) {
     lattice_.set_uniform_force(l_.force_density, 0.0, 0.0);
     lattice_.set_threads(context.threads);
   }
 
   Status run() {
     load_checkpoint();
+    if (saved_) {
+      place_cell(membrane_.reference().vertices);
+      resume();
+    } else if (const auto ended = start()) {
+      return *ended;
+    }
+    const double interval = std::min(0.2 / mean_velocity_, static_cast<double>(longest_interval));
+    sample_interval_ = std::max(unit_, static_cast<int>(interval) / unit_ * unit_);
+    context_.progress.start("passage", total_rows());
+    const Status status = advance();
+    context_.progress.finish(to_string(status));
+    return status == Status::interrupted ? status : finish(status);
+  }
+
+ private:
+  /// The steady flow and the cell at its start; the status of a run that ends here.
+  std::optional<Status> start() {
     const SteadyState steady =
         run_to_steady_state(lattice_, lateral_, std::max(1e-6, case_.stop.steady_tolerance),
                             case_.stop.max_steps, context_.progress);
@@ -64,25 +81,21 @@ class PassageRun {
     }
     const PlaneField field =
         mid_plane(lattice_, [this](double x, double y) { return device_.pillars().signed_distance(x, y); });
-    cell_.emplace(lattice_, membrane_, device_.pillars(), make_coupling_model(case_),
-                  start_positions(case_, membrane_.reference().vertices, device_, field));
-    // Whole updates of the cell, and an even number of steps: populations in place, nothing half done.
-    const int unit = 2 * case_.coupling.steps_per_update;
-    const double interval = std::min(0.2 / mean_velocity_, static_cast<double>(longest_interval));
-    sample_interval_ = std::max(unit, static_cast<int>(interval) / unit * unit);
-    resume();
-    if (steps_ == 0) save_checkpoint();  // a state to go back to, should the run fail before the first line
-    context_.progress.start("passage");
-    const Status status = advance();
-    context_.progress.finish(to_string(status));
-    return status == Status::interrupted ? status : finish(status);
+    place_cell(start_positions(case_, membrane_.reference().vertices, device_, field));
+    cell_->refresh_viscosity();
+    save_checkpoint();  // a state to go back to, should the run fail before the first line
+    return std::nullopt;
   }
 
- private:
+  void place_cell(const Eigen::MatrixX3d& positions) {
+    cell_.emplace(lattice_, membrane_, device_.pillars(), make_coupling_model(case_), positions);
+  }
+
   /// Steps between checks, at the most: trouble is seen within a few hundred steps.
   static constexpr int longest_interval = 200;
   /// Distances from here on (lu) mean that there is no pillar or no wall.
   static constexpr double no_film = 1e300;
+  double film_um(double film) const { return film < no_film ? film * l_.um_per_lu : NAN; }
 
   static ReturnMapOptions map_options(const Case& c) {
     ReturnMapOptions options;
@@ -112,8 +125,11 @@ class PassageRun {
       if (lateral_.blocked() && steps_ % LateralFlow::interval == 0) {
         lateral_.update(lattice_, lattice_.statistics().velocity[1]);
       }
-      if (row_finished_) save_checkpoint();
-      if (steps_ % sample_interval_ == 0 && interrupted() != 0) return Status::interrupted;
+      if (steps_ % unit_ != 0) continue;
+      const bool stop = interrupted() != 0;
+      if (row_finished_) cell_->refresh_viscosity();
+      if (row_finished_ || stop || context_.save_timer.due()) save_checkpoint();
+      if (stop) return Status::interrupted;
     }
   }
 
@@ -162,10 +178,9 @@ class PassageRun {
     record_trajectory(x, centre, state);
     extent_.update(x, membrane_.reference().faces, centre, cell_->film(), steps_);
     if (extent_.centre_passed() && !crossing_added_) {
-      const TrajectoryClass now =
-          map_.add(crossing_at(extent_.y_at_centre(), row_, l_.ny, l_.row_shift, gap_));
+      const TrajectoryClass now = add_crossing(extent_.y_at_centre());
       crossing_added_ = true;
-      context_.progress.set_total(map_.last_row() + 1.5);  // rows at the most
+      context_.progress.set_total(total_rows());
       decided_ = case_.stop.when == "rows" ? row_ >= map_.last_row() : now != TrajectoryClass::running;
     }
     if (extent_.passed()) finish_row(state);
@@ -181,6 +196,16 @@ class PassageRun {
     }
   }
 
+  /// The centre at height y (lu) on the pillar line after those that it has crossed.
+  TrajectoryClass add_crossing(double y) {
+    const int row = static_cast<int>(heights_.size());
+    heights_.push_back(y);
+    return map_.add(crossing_at(y, row, l_.ny, l_.row_shift, gap_));
+  }
+
+  /// Rows at the most, 0 while they are not known.
+  double total_rows() const { return heights_.empty() ? 0.0 : map_.last_row() + 1.5; }
+
   void record_trajectory(const Eigen::MatrixX3d& x, const Eigen::Vector3d& centre,
                          const MembraneState& state) {
     const double spacing = static_cast<double>(l_.nx) / case_.output.trajectory_samples_per_row;
@@ -189,11 +214,10 @@ class PassageRun {
     last_recorded_ = centre;
     const Eigen::RowVector3d extent = x.colwise().maxCoeff() - x.colwise().minCoeff();
     const double um = l_.um_per_lu;
-    record_.trajectory.append({static_cast<double>(steps_), centre.x() * um, centre.y() * um, centre.z() * um,
-                               extent.x() * um, extent.y() * um, extent.z() * um,
-                               state.area / membrane_.reference_area() - 1.0,
-                               state.volume / membrane_.reference_volume() - 1.0, state.min_face_ratio,
-                               cell_->film() < no_film ? cell_->film() * um : NAN});
+    record_.trajectory.append(
+        {static_cast<double>(steps_), centre.x() * um, centre.y() * um, centre.z() * um, extent.x() * um,
+         extent.y() * um, extent.z() * um, state.area / membrane_.reference_area() - 1.0,
+         state.volume / membrane_.reference_volume() - 1.0, state.min_face_ratio, film_um(cell_->film())});
     const int per_row = case_.output.snapshots_per_row;
     if (per_row == 0) return;
     const auto index = static_cast<long>(std::floor(centre.x() * per_row / l_.nx));
@@ -211,8 +235,8 @@ class PassageRun {
     record_.crossings.append({static_cast<double>(row_), extent_.step_at_centre(), extent_.y_at_centre() * um,
                               crossing.gap_position * um, static_cast<double>(crossing.lane),
                               crossing.bump ? 1.0 : 0.0, extent_.max_width() * um,
-                              extent_.width_at_centre() * um, extent_.min_film() * um, state.min_face_ratio,
-                              extent_.height_at_max() * um,
+                              extent_.width_at_centre() * um, film_um(extent_.min_film()),
+                              state.min_face_ratio, extent_.height_at_max() * um,
                               l_.nx * um / (extent_.step_at_centre() - previous)});
     record_.keep_snapshot("crossing", row_, extent_.step_at_max(), extent_.vertices_at_max());
     extent_done_ = decided_;
@@ -223,60 +247,64 @@ class PassageRun {
     row_finished_ = true;
   }
 
-  /// Case and build: another build may keep its populations in another order.
-  std::string identity() const { return echo(case_).dump() + build_fingerprint(); }
-
-  /// Between two pillar lines nothing is half measured: the state is the fluid, the cell and the tables.
-  /// Saved when all of a step is done, so that the run that resumes misses none of it.
+  /// Saved when all of a step is done, so that the run that resumes misses none of it. It may be any whole
+  /// step, whenever the machine's clock or a signal asks for it: nothing here may change the run that goes
+  /// on.
   void save_checkpoint() {
     row_finished_ = false;
-    cell_->refresh_viscosity();
-    Checkpoint checkpoint(identity());
-    const auto& populations = lattice_.populations();
-    checkpoint.set("populations", std::vector<Real>(populations.begin(), populations.end()));
-    checkpoint.set("uniform_force",
-                   std::vector<double>{lattice_.uniform_force()[0], lattice_.uniform_force()[1]});
-    checkpoint.set("positions", to_values(cell_->positions()));
-    checkpoint.set("steps", static_cast<std::int64_t>(steps_));
-    checkpoint.set("row", static_cast<std::int64_t>(row_));
-    checkpoint.set("last_snapshot", static_cast<std::int64_t>(last_snapshot_));
+    Checkpoint checkpoint(checkpoint_identity(case_));
+    save_coupled(checkpoint, lattice_, *cell_);
+    const auto whole = [&](const char* name, long value) {
+      checkpoint.set(name, static_cast<std::int64_t>(value));
+    };
+    whole("flow_steps", flow_steps_);
+    checkpoint.set("mean_velocity", mean_velocity_);
+    whole("row", row_);
+    whole("crossing_added", crossing_added_ ? 1 : 0);
+    whole("decided", decided_ ? 1 : 0);
+    whole("last_snapshot", last_snapshot_);
     checkpoint.set("last_recorded", std::vector<double>(last_recorded_.data(), last_recorded_.data() + 3));
+    checkpoint.set("heights", heights_);
+    checkpoint.set("extent", extent_.numbers());
+    checkpoint.set("extent_vertices", to_values(extent_.vertices_at_max()));
+    whole("last_good_row", last_good_.row);
+    whole("last_good_step", last_good_.step);
+    checkpoint.set("last_good_vertices", to_values(last_good_.vertices));
     record_.save(checkpoint);
     checkpoint.save(context_.checkpoint);
     context_.owns_checkpoint = true;
+    context_.save_timer.restart();
   }
 
   /// Read before anything is simulated, so that a checkpoint that does not fit is known at once. Builds of
   /// the same commit can still differ in the layout of their arrays.
   void load_checkpoint() {
     if (!context_.resume) return;
-    saved_ = Checkpoint::load(context_.checkpoint, identity(), std::cerr);
+    saved_ = Checkpoint::load(context_.checkpoint, checkpoint_identity(case_), std::cerr);
     if (!saved_) return;
-    const bool fits = saved_->get<std::vector<Real>>("populations").size() == lattice_.populations().size() &&
-                      static_cast<Eigen::Index>(saved_->get<std::vector<double>>("positions").size()) ==
-                          3 * membrane_.vertex_count();
-    if (!fits) throw CheckpointMismatch(context_.checkpoint);
+    if (!coupled_fits(*saved_, lattice_, membrane_.vertex_count()))
+      throw CheckpointMismatch(context_.checkpoint);
     context_.owns_checkpoint = true;
   }
 
   void resume() {
-    if (!saved_) return;
-    const auto& populations = saved_->get<std::vector<Real>>("populations");
-    lattice_.populations().assign(populations.begin(), populations.end());
-    const auto& force = saved_->get<std::vector<double>>("uniform_force");
-    lattice_.set_uniform_force(force[0], force[1], 0.0);
-    steps_ = saved_->integer("steps");
+    const auto values = [&](const char* name) -> const auto& {
+      return saved_->get<std::vector<double>>(name);
+    };
+    steps_ = restore_coupled(*saved_, lattice_, *cell_);
+    flow_steps_ = saved_->integer("flow_steps");
+    mean_velocity_ = values("mean_velocity").at(0);
     row_ = static_cast<int>(saved_->integer("row"));
+    crossing_added_ = saved_->integer("crossing_added") != 0;
+    decided_ = saved_->integer("decided") != 0;
     last_snapshot_ = saved_->integer("last_snapshot");
-    cell_->restore(to_matrix(saved_->get<std::vector<double>>("positions")), steps_);
-    last_recorded_ = to_matrix(saved_->get<std::vector<double>>("last_recorded")).row(0).transpose();
+    last_recorded_ = to_matrix(values("last_recorded")).row(0).transpose();
+    for (const double y : values("heights")) add_crossing(y);
+    extent_ = PassageExtent::from(values("extent"), to_matrix(values("extent_vertices")));
+    last_good_ = {"last_good", static_cast<int>(saved_->integer("last_good_row")),
+                  saved_->integer("last_good_step"), to_matrix(values("last_good_vertices"))};
     record_.load(*saved_);
     saved_.reset();
-    const auto& y = record_.crossings.column("y_um");
-    for (std::size_t k = 0; k < y.size(); ++k) {
-      map_.add(crossing_at(y[k] / l_.um_per_lu, static_cast<int>(k), l_.ny, l_.row_shift, gap_));
-    }
-    extent_ = PassageExtent(line_of_row());
   }
 
   Status finish(Status status) {
@@ -346,7 +374,7 @@ class PassageRun {
                {"mean_velocity_mm_per_s", mean_velocity_ * si.velocity_m_per_s_per_lu * 1e3}};
     if (!failure_) return;
     report_failure(*failure_, cell_ ? steps_ : flow_steps_, s);
-    s["last_good_step"] = last_good_.step;
+    if (last_good_.vertices.size() > 0) s["last_good_step"] = last_good_.step;
   }
 
   const Case& case_;
@@ -359,6 +387,8 @@ class PassageRun {
   LateralFlow lateral_;
   std::optional<CoupledCell<Real>> cell_;
   ReturnMap map_;
+  int unit_;                     ///< steps after which fluid and cell are both whole
+  std::vector<double> heights_;  ///< y of the centre (lu) at the crossings of map_
 
   PassageRecord record_;
   PassageExtent extent_{gap_.x};

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "scene/coupled_state.hpp"
+
 namespace dld {
 
 void ColumnTable::append(const std::vector<double>& row) {
@@ -68,14 +70,6 @@ ColumnTable crossings_table() {
 }
 
 }  // namespace
-
-std::vector<double> to_values(const Eigen::MatrixX3d& matrix) {
-  return {matrix.data(), matrix.data() + matrix.size()};
-}
-
-Eigen::MatrixX3d to_matrix(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::MatrixX3d>(values.data(), static_cast<Eigen::Index>(values.size()) / 3, 3);
-}
 
 void Extremes::update(const MembraneState& state, const Membrane& membrane, double node_speed,
                       double node_film, double node_wall_gap) {

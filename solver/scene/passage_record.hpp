@@ -77,8 +77,4 @@ class PassageRecord {
   std::vector<MembraneSnapshot> snapshots_;
 };
 
-/// nv x 3 matrices as arrays of a checkpoint.
-std::vector<double> to_values(const Eigen::MatrixX3d& matrix);
-Eigen::MatrixX3d to_matrix(const std::vector<double>& values);
-
 }  // namespace dld

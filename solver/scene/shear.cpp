@@ -13,6 +13,7 @@
 #include "output/interrupt.hpp"
 #include "parameters/consistency.hpp"
 #include "parameters/work.hpp"
+#include "scene/coupled_state.hpp"
 #include "scene/monitor.hpp"
 #include "scene/passage_record.hpp"
 #include "scene/registry.hpp"
@@ -28,6 +29,21 @@ UnitCell shear_cell(int n) {
   cell.origin_x = cell.origin_y = cell.origin_z = 0.5 - 0.5 * n;
   mark_solid(cell, true);
   return cell;
+}
+
+/// Steps between two looks at the cell, at the most.
+constexpr long longest_watch = 200;
+
+/// A deformation that changes by less in the last quarter of the time is called steady. One that nears its
+/// limit as 1 - exp(-t/T) is then within 0.4 % of it.
+constexpr double steady_change = 0.01;
+
+/// Relative change over the last quarter of a series; infinite for a series too short to tell.
+double change_of_last_quarter(const std::vector<double>& values) {
+  constexpr std::size_t fewest = 20;
+  if (values.size() < fewest) return HUGE_VAL;
+  const double last = values.back(), before = values[values.size() - 1 - values.size() / 4];
+  return std::abs(last - before) / std::max(std::abs(last), 1e-300);
 }
 
 template <class Real>
@@ -64,41 +80,49 @@ Status run(const Case& c, RunContext& context) {
   ColumnTable series({{"time", "1/gdot", "time times shear rate", {}},
                       {"deformation", "1", "(L - B)/(L + B) of the equivalent ellipsoid", {}},
                       {"volume_change", "1", "(V - V0)/V0", {}}});
-  const long steps = std::lround(c.shear.duration / rate);
+  const long steps = std::lround(c.shear.duration / rate), last = std::min(steps, c.stop.max_steps);
   const long interval = std::max(2L, steps / 200 / 2 * 2);
-  double deformation = 0.0;
-  Status status = Status::converged;
-  context.progress.start("shear", static_cast<double>(steps));
-  long step = 1;
-  for (; step <= steps; ++step) {
-    cell.step();
-    if (step % interval != 0) continue;
-    const MembraneState state = membrane.measure(cell.positions());
-    deformation = taylor_deformation(equivalent_semi_axes(cell.positions(), membrane.reference().faces));
-    series.append(
-        {static_cast<double>(step) * rate, deformation, state.volume / membrane.reference_volume() - 1.0});
-    const CellView view{.membrane = membrane,
-                        .positions = cell.positions(),
-                        .velocities = cell.velocities(),
-                        .state = state,
-                        .speed = cell.max_speed(),
-                        .um_per_lu = l.um_per_lu};
-    if (const auto failure = check_membrane(view)) {
-      report_failure(*failure, step, context.summary);
-      status = Status::diverged;
-      break;
-    }
-    if (interrupted() != 0) {
-      status = Status::interrupted;
-      break;
-    }
-    if (context.progress.due()) context.progress.update(static_cast<double>(step), "");
+  long done = 0;
+  CoupledCheckpoint<Real> checkpoints(c, context, lattice, cell, membrane.vertex_count());
+  if (const auto saved = checkpoints.load()) {
+    done = checkpoints.restore(*saved);
+    series.load(*saved, "series_");
   }
+  Status status = Status::undecided;
+  context.progress.start("shear", static_cast<double>(last));
+  while (done < last && status == Status::undecided) {
+    cell.step();
+    ++done;
+    if (done % interval == 0) {
+      series.append({static_cast<double>(done) * rate,
+                     taylor_deformation(equivalent_semi_axes(cell.positions(), membrane.reference().faces)),
+                     membrane.measure(cell.positions()).volume / membrane.reference_volume() - 1.0});
+    }
+    if (done % interval == 0 || done % longest_watch == 0) {
+      const CellView view{.membrane = membrane,
+                          .positions = cell.positions(),
+                          .velocities = cell.velocities(),
+                          .state = membrane.measure(cell.positions()),
+                          .speed = cell.max_speed(),
+                          .um_per_lu = l.um_per_lu};
+      if (const auto failure = check_membrane(view)) {
+        report_failure(*failure, done, context.summary);
+        status = Status::diverged;
+      }
+      if (context.progress.due()) context.progress.update(static_cast<double>(done), "");
+    }
+    if (status == Status::undecided &&
+        checkpoints.stop(done, [&](Checkpoint& state) { series.save(state, "series_"); }))
+      status = Status::interrupted;
+  }
+  const double change = change_of_last_quarter(series.column("deformation"));
+  if (status == Status::undecided && done == steps && change < steady_change) status = Status::converged;
   context.progress.finish(to_string(status));
+  const double deformation = series.size() > 0 ? series.column("deformation").back() : 0.0;
   const double gs = 4.0 * moduli.shear / moduli.skalak_denominator, ks = gs + 2.0 * moduli.local_area / 3.0;
   context.summary["deformation"] = deformation;
+  context.summary["deformation_change"] = std::isfinite(change) ? nlohmann::ordered_json(change) : nullptr;
   context.summary["deformation_theory"] = 0.625 * l.viscosity * rate * a * (3.0 / gs + 1.0 / ks);
-  const long done = std::min(step, steps);
   context.summary["steps"] = done;
   context.summary["node_updates"] = done * static_cast<long>(lattice.fluid_nodes());
   context.summary["membrane_updates"] = done * membrane.vertex_count();

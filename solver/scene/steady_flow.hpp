@@ -69,6 +69,10 @@ SteadyState run_to_steady_state(Lattice<Real>& lattice, const LateralFlow& later
   while (state.steps < last_step) {
     lattice.step();
     ++state.steps;
+    if (interrupted() != 0) {
+      state.status = Status::interrupted;
+      break;
+    }
     if (state.steps % LateralFlow::interval != 0) continue;
     const bool check = state.steps % check_interval == 0;
     if (!check && !lateral.blocked()) continue;
@@ -88,10 +92,6 @@ SteadyState run_to_steady_state(Lattice<Real>& lattice, const LateralFlow& later
     previous = now;
     if (quiet == 2) {
       state.status = Status::converged;
-      break;
-    }
-    if (interrupted() != 0) {
-      state.status = Status::interrupted;
       break;
     }
     if (progress.due()) {

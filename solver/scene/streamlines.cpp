@@ -58,6 +58,7 @@ Status run(const Case& c, RunContext& context) {
 
   const SteadyState steady = run_to_steady_state(lattice, LateralFlow(c.fluid.lateral_flow == "blocked", l),
                                                  c.stop.steady_tolerance, c.stop.max_steps, context.progress);
+  if (steady.status == Status::interrupted) return steady.status;
   nlohmann::ordered_json& summary = context.summary;
   summary["row_shift_um"] = c.geometry.row_shift_um;
   summary["epsilon"] = c.geometry.epsilon();

@@ -17,6 +17,7 @@
 #include "output/interrupt.hpp"
 #include "parameters/consistency.hpp"
 #include "parameters/work.hpp"
+#include "scene/coupled_state.hpp"
 #include "scene/monitor.hpp"
 #include "scene/registry.hpp"
 #include "scene/setup.hpp"
@@ -45,14 +46,63 @@ struct Result {
   long iterations = 0;
 };
 
+void save_results(const std::vector<Result>& results, Checkpoint& state) {
+  state.set("results", static_cast<std::int64_t>(results.size()));
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    const Result& r = results[k];
+    const std::string name = "result_" + std::to_string(k);
+    state.set(name, std::vector<double>{r.force_pN, r.axial_um, r.transverse_um, r.energy_J,
+                                        static_cast<double>(r.iterations)});
+    state.set(name + "_vertices", to_values(r.vertices_um));
+  }
+}
+
+std::vector<Result> load_results(const Checkpoint& state) {
+  std::vector<Result> results;
+  for (std::int64_t k = 0; k < state.integer("results"); ++k) {
+    const std::string name = "result_" + std::to_string(k);
+    const auto& n = state.get<std::vector<double>>(name);
+    results.push_back({n.at(0), to_matrix(state.get<std::vector<double>>(name + "_vertices")), n.at(1),
+                       n.at(2), n.at(3), static_cast<long>(n.at(4))});
+  }
+  return results;
+}
+
 std::vector<Result> stretch_static(const Case& c, Membrane& membrane, RunContext& context, Status& status) {
   const ContactPatches patches(membrane.reference().vertices, c.stretching.contact_radius_um);
+  const std::string identity = checkpoint_identity(c);
   std::vector<Result> results;
+  if (const auto saved = context.resume ? Checkpoint::load(context.checkpoint, identity, std::cerr)
+                                        : std::optional<Checkpoint>()) {
+    results = load_results(*saved);
+    if (saved->integer("undecided") != 0) status = Status::undecided;
+    context.owns_checkpoint = true;
+  }
+  MinimiserOptions options;
+  options.stop = [] { return interrupted() != 0; };
   context.progress.start("stretching", static_cast<double>(c.stretching.forces_pN.size()));
-  for (const StretchedShape& shape : stretch_ladder(membrane, patches, c.stretching.forces_pN)) {
-    results.push_back({c.stretching.forces_pN[results.size()], shape.vertices, shape.axial, shape.transverse,
-                       shape.energy * 1e-18, shape.iterations});
-    if (!shape.converged) status = Status::undecided;
+  while (results.size() < c.stretching.forces_pN.size()) {
+    const double force_pN = c.stretching.forces_pN[results.size()];
+    const Eigen::MatrixX3d start =
+        results.empty() ? membrane.reference().vertices : results.back().vertices_um;
+    const StretchedShape shape = stretch(membrane, patches, force_pN, start, options);
+    if (!shape.stopped) {
+      results.push_back(
+          {force_pN, shape.vertices, shape.axial, shape.transverse, shape.energy * 1e-18, shape.iterations});
+      if (!shape.converged) status = Status::undecided;
+    }
+    if (context.progress.due())
+      context.progress.update(static_cast<double>(results.size()), std::to_string(force_pN) + " pN");
+    if (!shape.stopped && !context.save_timer.due()) continue;
+    Checkpoint checkpoint(identity);
+    save_results(results, checkpoint);
+    checkpoint.set("undecided", std::int64_t{status == Status::undecided ? 1 : 0});
+    checkpoint.save(context.checkpoint);
+    context.owns_checkpoint = true;
+    context.save_timer.restart();
+    if (!shape.stopped) continue;
+    status = Status::interrupted;
+    break;
   }
   context.progress.finish(to_string(status));
   return results;
@@ -93,16 +143,34 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
     return cell.positions().col(axis).maxCoeff() - cell.positions().col(axis).minCoeff();
   };
   std::vector<Result> results;
-  long steps = 0;
+  long steps = 0, begin = 0;
+  double axial = 0.0, transverse = 0.0;
+  CoupledCheckpoint<Real> checkpoints(c, context, lattice, cell, membrane.vertex_count());
+  const auto add = [&](Checkpoint& state) {
+    state.set("begin", static_cast<std::int64_t>(begin));
+    state.set("extents", std::vector<double>{axial, transverse});
+    save_results(results, state);
+  };
+  if (const auto saved = checkpoints.load()) {
+    steps = checkpoints.restore(*saved);
+    begin = saved->integer("begin");
+    const auto& extents = saved->template get<std::vector<double>>("extents");
+    axial = extents.at(0);
+    transverse = extents.at(1);
+    results = load_results(*saved);
+  }
   context.progress.start("stretching through the fluid", static_cast<double>(c.stretching.forces_pN.size()));
-  for (const double force_pN : c.stretching.forces_pN) {
+  while (results.size() < c.stretching.forces_pN.size()) {
+    const double force_pN = c.stretching.forces_pN[results.size()];
     // F / kS is a length: the same in both systems of units.
     const double force = force_pN / c.stretching.shear_modulus_uN_per_m / l.um_per_lu * shear_lu;
     cell.external_forces.setZero();
     patches.add_pull(force, cell.external_forces);
-    double axial = 0.0, transverse = 0.0;
-    const long begin = steps;
     while (true) {
+      if (checkpoints.stop(steps, add)) {
+        status = Status::interrupted;
+        break;
+      }
       cell.step();
       ++steps;
       if (steps % interval != 0) continue;
@@ -123,7 +191,6 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
       transverse = t;
       if (resting) break;
       if (steps >= c.stop.max_steps) status = Status::undecided;
-      if (interrupted() != 0) status = Status::interrupted;
       if (status != Status::converged) break;
       if (context.progress.due()) {
         context.progress.update(static_cast<double>(results.size()), std::to_string(force_pN) + " pN");
@@ -134,6 +201,8 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
     results.push_back({force_pN, cell.positions() * l.um_per_lu, axial * l.um_per_lu,
                        transverse * l.um_per_lu, membrane.energy(cell.positions()) * joule, steps - begin});
     if (status != Status::converged) break;
+    axial = transverse = 0.0;
+    begin = steps;
   }
   context.progress.finish(to_string(status));
   context.summary["node_updates"] = steps * static_cast<long>(lattice.fluid_nodes());
