@@ -14,6 +14,7 @@
 #include "output/durable_file.hpp"
 #include "output/interrupt.hpp"
 #include "output/provenance.hpp"
+#include "parameters/headline.hpp"
 #include "parameters/limits.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/reader.hpp"
@@ -40,6 +41,11 @@ struct RunOptions {
   bool force = false, no_resume = false;
   int threads = 1;
 };
+
+// What was given without effect.
+void print_warnings(const Case& c, const std::string& file) {
+  for (const auto& warning : c.warnings) std::cerr << file << ": warning: " << warning << "\n";
+}
 
 // Prints the violated margins; true if none of them makes the run diverge, or if it is forced.
 bool may_run(const Case& c, const std::string& file, bool force) {
@@ -130,6 +136,8 @@ void write_summary(const std::filesystem::path& path, const Json& summary) {
 int run(const RunOptions& options) {
   require_different_files(options);
   const Case c = read_case(options.case_file);
+  std::cerr << headline(c) << "\n";
+  print_warnings(c, options.case_file);
   if (!may_run(c, options.case_file, options.force)) return bad_parameters;
   catch_interrupts();
   try_summary(options.summary_file);
@@ -150,6 +158,7 @@ int run(const RunOptions& options) {
 
   Json summary = {{"scene", c.scene}, {"status", to_string(status)}};
   summary.update(context.summary);
+  if (!c.warnings.empty()) summary["warnings"] = c.warnings;
   const auto margins = stability_margins(c);
   if (const Margin* margin = tightest(margins)) {
     summary["tightest_margin"] = margin->name;
@@ -174,6 +183,7 @@ int run(const RunOptions& options) {
 
 int check(const std::string& case_file, bool force) {
   const Case c = read_case(case_file);
+  print_warnings(c, case_file);
   const Json report = {{"case", echo(c)},
                        {"accuracy", accuracy_json(c)},
                        {"lattice", lattice_numbers(c)},

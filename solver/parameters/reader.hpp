@@ -29,7 +29,7 @@ struct CaseError : std::runtime_error {
 /// that cannot be opened is a CaseError too.
 Case read_case(const std::filesystem::path& path);
 
-/// The same for a text; `name` stands for the file in messages.
+/// The same for a text; `name` stands for the file in messages and for where mesh files are relative to.
 Case parse_case(const std::string& text, const std::string& name);
 
 /// The resolved case with all defaults; reading it gives the same case.

@@ -1,4 +1,5 @@
 /// What follows from the parameter table besides reading: the resolved echo and the JSON Schema.
+#include <algorithm>
 #include <cmath>
 
 #include "parameters/declaration.hpp"
@@ -29,6 +30,11 @@ void add_limits(Json& schema, const Allowed& allowed) {
   if (std::isfinite(allowed.maximum)) schema["maximum"] = limit(allowed.maximum);
 }
 
+// Texts and lists that are empty stand for keys that are not given.
+bool is_absent(const Json& value) {
+  return (value.is_string() && value.get<std::string>().empty()) || (value.is_array() && value.empty());
+}
+
 Json property(const Declaration& declaration, Case& defaults) {
   const std::string unit = declaration.unit.empty() ? "" : " [" + std::string(declaration.unit) + "]";
   Json schema = {{"description", std::string(declaration.doc) + unit}};
@@ -42,13 +48,13 @@ Json property(const Declaration& declaration, Case& defaults) {
   if (schema["type"] == "array") {
     schema["items"] = {{"type", "number"}};
     add_limits(schema["items"], declaration.allowed);
-    schema["minItems"] = 1;
+    schema["minItems"] = std::max<std::size_t>(1, declaration.allowed.items);
+    if (declaration.allowed.items > 0) schema["maxItems"] = declaration.allowed.items;
   } else {
     add_limits(schema, declaration.allowed);
   }
-  if (declaration.name != "scene") {
-    schema["default"] = std::visit([](const auto* value) { return Json(*value); }, field);
-  }
+  const Json value = std::visit([](const auto* member) { return Json(*member); }, field);
+  if (declaration.name != "scene" && !is_absent(value)) schema["default"] = value;
   return schema;
 }
 
@@ -72,8 +78,8 @@ Json echo(const Case& c) {
   Case copy = c;  // the fields of the table are not const
   Json tree;
   for (const auto& declaration : declarations()) {
-    std::visit([&](const auto* value) { tree[Json::json_pointer(declaration.pointer())] = *value; },
-               declaration.field(copy));
+    const Json value = std::visit([](const auto* member) { return Json(*member); }, declaration.field(copy));
+    if (!is_absent(value)) tree[Json::json_pointer(declaration.pointer())] = value;
   }
   return tree;
 }
@@ -90,6 +96,10 @@ Json case_schema() {
   for (const auto& declaration : declarations()) {
     section_schema(root, declaration.section)["properties"][std::string(declaration.name)] =
         property(declaration, defaults);
+  }
+  for (const auto& name : annotations) {
+    const char* meaning = "about the case; changes nothing and is no part of a run's identity";
+    root["properties"][name] = {{"description", meaning}, {"type", "string"}};
   }
   // An annotation: the defaults that each preset puts in place of those stated below.
   Json& annotation = root["properties"]["accuracy"]["x-presets"];

@@ -39,7 +39,7 @@ class PassageRun {
         l_(to_lattice(c)),
         pillars_(make_pillar_array(c)),
         lattice_(make_unit_cell(c, pillars_), make_fluid_model(c)),
-        membrane_(make_cell(c.cell.shape, c.cell.mesh_frequency, l_.cell_radius), make_moduli(c)),
+        membrane_(cell_mesh(c.cell, l_.cell_radius), make_moduli(c)),
         lateral_(c.fluid.lateral_flow == "blocked", l_),
         map_(map_options(c)),
         pillar_top_(surface_above_centre(pillars_)) {
@@ -217,8 +217,11 @@ class PassageRun {
     row_finished_ = true;
   }
 
-  /// Case and build: another build may keep its populations in another order.
-  std::string identity() const { return echo(case_).dump() + build_fingerprint(); }
+  /// Case and build: another build may keep its populations in another order. A mesh file may change.
+  std::string identity() const {
+    return echo(case_).dump() + (case_.cell.surface ? fingerprint(membrane_.reference()) : "") +
+           build_fingerprint();
+  }
 
   /// Between two pillar lines nothing is half measured: the state is the fluid, the cell and the tables.
   /// Saved when all of a step is done, so that the run that resumes misses none of it.
