@@ -16,6 +16,7 @@
 #include "output/durable_file.hpp"
 #include "output/interrupt.hpp"
 #include "output/provenance.hpp"
+#include "parameters/headline.hpp"
 #include "parameters/limits.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/reader.hpp"
@@ -46,6 +47,11 @@ struct RunOptions {
   double checkpoint_minutes = default_checkpoint_minutes;
   double wall_time_minutes = 0.0;  // 0: no end
 };
+
+// What was given without effect.
+void print_warnings(const Case& c, const std::string& file) {
+  for (const auto& warning : c.warnings) std::cerr << file << ": warning: " << warning << "\n";
+}
 
 // Prints the violated margins; true if none of them makes the run diverge, or if it is forced.
 bool may_run(const Case& c, const std::string& file, bool force) {
@@ -136,6 +142,8 @@ void write_summary(const std::filesystem::path& path, const Json& summary) {
 int run(const RunOptions& options) {
   require_different_files(files_of(options));
   const Case c = read_case(options.case_file);
+  std::cerr << headline(c) << "\n";
+  print_warnings(c, options.case_file);
   if (!may_run(c, options.case_file, options.force)) return bad_parameters;
   catch_interrupts(Hdf5File::part_of(options.output_file));
   if (options.wall_time_minutes > 0.0) limit_wall_time(options.wall_time_minutes);
@@ -158,6 +166,7 @@ int run(const RunOptions& options) {
 
   Json summary = {{"scene", c.scene}, {"status", to_string(status)}};
   summary.update(context.summary);
+  if (!c.warnings.empty()) summary["warnings"] = c.warnings;
   const auto margins = stability_margins(c);
   if (const Margin* margin = tightest(margins)) {
     summary["tightest_margin"] = margin->name;
@@ -182,6 +191,7 @@ int run(const RunOptions& options) {
 
 int check(const std::string& case_file, bool force) {
   const Case c = read_case(case_file);
+  print_warnings(c, case_file);
   const Json report = {{"case", echo(c)},
                        {"accuracy", accuracy_json(c)},
                        {"lattice", lattice_numbers(c)},

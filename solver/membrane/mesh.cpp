@@ -7,6 +7,8 @@
 #include <map>
 #include <numbers>
 #include <stdexcept>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace dld {
@@ -114,6 +116,19 @@ TriangleMesh sphere(int frequency, double radius) {
   return mesh;
 }
 
+TriangleMesh ellipsoid(int frequency, const Eigen::RowVector3d& semi_axes) {
+  TriangleMesh mesh = icosphere(frequency);
+  mesh.vertices *= semi_axes.asDiagonal();
+  return mesh;
+}
+
+Eigen::MatrixX3d tilted(const Eigen::MatrixX3d& vertices, double tilt_deg) {
+  const double tilt = tilt_deg * std::numbers::pi / 180.0;
+  Eigen::Matrix3d turn;
+  turn << std::cos(tilt), 0, -std::sin(tilt), 0, 1, 0, std::sin(tilt), 0, std::cos(tilt);
+  return vertices * turn;
+}
+
 double evans_fung_profile(double q2) {
   constexpr double c0 = 0.207161, c2 = 2.002558, c4 = -1.122762;
   return 0.5 * (c0 + q2 * (c2 + q2 * c4));
@@ -164,6 +179,16 @@ std::vector<Edge> edges_of(const TriangleMesh& mesh) {
   }
   if (!waiting.empty()) throw std::invalid_argument("mesh is not closed");
   return edges;
+}
+
+std::string fingerprint(const TriangleMesh& mesh) {
+  const auto hash = [](const auto& matrix) {
+    using Matrix = std::decay_t<decltype(matrix)>;
+    const std::string_view bytes(reinterpret_cast<const char*>(matrix.data()),
+                                 sizeof(typename Matrix::Scalar) * static_cast<std::size_t>(matrix.size()));
+    return std::to_string(std::hash<std::string_view>{}(bytes));
+  };
+  return hash(mesh.vertices) + " " + hash(mesh.faces);
 }
 
 Eigen::VectorXi mirror_images(const Eigen::MatrixX3d& vertices) {

@@ -26,6 +26,9 @@ std::vector<Edge> edges_of(const TriangleMesh& mesh);
 /// Throws std::invalid_argument when a vertex has no image, to the last bit.
 Eigen::VectorXi mirror_images(const Eigen::MatrixX3d& vertices);
 
+/// Vertices and faces as a short text: other meshes give another one.
+std::string fingerprint(const TriangleMesh& mesh);
+
 /// Unit sphere: every face of the icosahedron with its 2-fold axes along x, y, z divided into
 /// frequency^2 triangles and projected; 20 n^2 faces, 10 n^2 + 2 vertices. The vertex set is exactly
 /// (bit by bit) symmetric about x = 0, y = 0 and z = 0.
@@ -38,10 +41,17 @@ TriangleMesh sphere(int frequency, double radius);
 /// 1972): z = +-(r/2) sqrt(1 - q^2) (C0 + C2 q^2 + C4 q^4), q = rho / r.
 TriangleMesh red_blood_cell(int frequency, double radius);
 
+/// Ellipsoid with its semi-axes along x, y and z.
+TriangleMesh ellipsoid(int frequency, const Eigen::RowVector3d& semi_axes);
+
+/// Vertices (nv x 3) turned about the y axis: the +x end goes down by a positive angle, z' = z cos - x sin.
+Eigen::MatrixX3d tilted(const Eigen::MatrixX3d& vertices, double tilt_deg);
+
 /// Half the thickness of the Evans-Fung shape of unit radius divided by sqrt(1 - q^2), at q^2.
 double evans_fung_profile(double q2);
 
-/// Cell shape by its name in the registry; throws std::invalid_argument naming the known shapes.
+/// Cell shape that a radius describes, by its name in the registry; throws std::invalid_argument naming the
+/// known shapes.
 TriangleMesh make_cell(const std::string& name, int frequency, double radius);
 
 /// Names that make_cell knows.

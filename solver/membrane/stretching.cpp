@@ -86,10 +86,23 @@ void minimise(Problem& problem, int max_iterations) {
   problem.update();
 }
 
+/// Mean of the vertices at this very x.
+Eigen::RowVector3d tip(const Eigen::MatrixX3d& shape, double x) {
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+  int count = 0;
+  for (const auto& vertex : shape.rowwise()) {
+    if (vertex(0) != x) continue;
+    sum += vertex;
+    ++count;
+  }
+  return {x, sum.y() / count, sum.z() / count};
+}
+
 }  // namespace
 
 ContactPatches::ContactPatches(const Eigen::MatrixX3d& shape, double contact_radius) {
-  const Eigen::RowVector3d left_tip(shape.col(0).minCoeff(), 0, 0), right_tip(shape.col(0).maxCoeff(), 0, 0);
+  const Eigen::RowVector3d left_tip = tip(shape, shape.col(0).minCoeff()),
+                           right_tip = tip(shape, shape.col(0).maxCoeff());
   for (int v = 0; v < shape.rows(); ++v) {
     if ((shape.row(v) - left_tip).norm() < contact_radius) left.push_back(v);
     if ((shape.row(v) - right_tip).norm() < contact_radius) right.push_back(v);

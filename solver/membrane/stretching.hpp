@@ -14,9 +14,9 @@ namespace dld {
 struct ContactPatches {
   std::vector<int> left, right;  ///< towards -x and +x
 
-  /// Vertices closer than contact_radius to the tips (x_min, 0, 0) and (x_max, 0, 0) of the shape, as
-  /// a distance in space, so that no vertex of the dimple is caught. The shape is centred at 0.
-  /// Throws std::invalid_argument when a patch is empty.
+  /// Vertices closer than contact_radius to the tips of the shape, as a distance in space, so that no vertex
+  /// of the dimple is caught. A tip is the mean of the vertices of least or largest x: (+-r, 0, 0) of a red
+  /// cell. Throws std::invalid_argument when a patch is empty.
   ContactPatches(const Eigen::MatrixX3d& shape, double contact_radius);
 
   /// Adds the pull to nodal forces f (nv x 3): +force along x spread evenly over the right patch,

@@ -2,6 +2,7 @@
 /// A case: everything one run needs, as the user wrote it (lengths in um, dimensionless numbers as
 /// the field defines them). Defaults stand here once; the reader and the schema take them from here.
 /// Conversion to lattice units is in units.hpp.
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 
 namespace dld {
 
+struct CellSurface;
+
 struct GeometryParameters {
   std::string pillar_shape = "circle";  ///< "circle" | "none" for an empty slit: the short form of pillar
   double pillar_radius_um = 10.0;       ///< R of the short form
@@ -17,6 +20,7 @@ struct GeometryParameters {
   double pitch_um = 32.0;               ///< lambda along x, and along y unless pitch_y_um is given
   std::optional<double> pitch_y_um;     ///< pitch across the flow
   double row_shift_um = 6.0;            ///< d; the case may give epsilon = d / pitch across the flow instead
+  bool by_epsilon = false;              ///< it gave epsilon; not a parameter of its own
   double depth_um = 4.8;                ///< H, between the bottom and the top wall
   std::string pillar_center = "node";   ///< "node" | "between_nodes" (in x and y)
   std::string surface_nodes = "solid";  ///< a node exactly on the surface is "solid" | "fluid"
@@ -50,7 +54,7 @@ struct StartParameters {
 };
 
 struct CellParameters {
-  std::string shape = "red_blood_cell";       ///< "red_blood_cell" | "sphere"
+  std::string shape = "red_blood_cell";       ///< "red_blood_cell" | "sphere" | "ellipsoid" | "mesh"
   double radius_um = 3.9;                     ///< r (largest radius, in the plane)
   int mesh_frequency = 10;                    ///< 20 n^2 faces
   double capillary_number = 0.5;              ///< Ca = p' l r / kS, l = sqrt(G H)
@@ -65,6 +69,9 @@ struct CellParameters {
   std::string viscosity_field = "sharp";      ///< "sharp" | "smoothed"
   int viscosity_update_interval = 5;          ///< membrane updates from one inside/outside field to the next
   StartParameters start;
+  std::vector<double> semi_axes_um;            ///< of the ellipsoid, along x, y, z; empty: absent
+  std::string mesh_file;                       ///< of the mesh, relative to the case file; empty: absent
+  std::shared_ptr<const CellSurface> surface;  ///< what the reader found in mesh_file
 };
 
 struct CouplingParameters {
@@ -122,6 +129,7 @@ struct Case {
   ShearParameters shear;
   ChannelParameters channel;
   OutputParameters output;
+  std::vector<std::string> warnings;  ///< of the reader: what was given without effect; not a parameter
 };
 
 }  // namespace dld

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "parameters/advice.hpp"
+#include "parameters/cell_check.hpp"
+#include "parameters/cell_surface.hpp"
 #include "parameters/scene_rules.hpp"
 #include "parameters/text.hpp"
 #include "parameters/units.hpp"
@@ -15,12 +17,19 @@ namespace {
 // Lengths are decimal numbers in um; this much of a lattice spacing is rounding.
 constexpr double rounding = 1e-6;
 
-// Half the largest thickness of the red blood cell shape, in units of its radius.
-constexpr double half_thickness_ratio = 0.33;
+// What the proposed length does to an epsilon that follows from two lengths.
+std::string epsilon_text(const Case& c, const std::string& pointer, double length_um) {
+  const auto& g = c.geometry;
+  if (pointer == "/geometry/row_shift_um")
+    return ", which is epsilon " + number_text(length_um / g.pitch_across_um());
+  if (pointer == "/geometry/pitch_um" && !g.by_epsilon && g.row_shift_um > 0)
+    return ", which makes epsilon " + number_text(g.row_shift_um / length_um);
+  return "";
+}
 
 }  // namespace
 
-void check_multiple(const std::string& pointer, double length_um, double unit_um,
+void check_multiple(const Case& c, const std::string& pointer, double length_um, double unit_um,
                     const std::string& unit_name, bool zero_allowed, std::vector<Problem>& problems) {
   const double n = std::round(length_um / unit_um);
   const bool fits = std::abs(length_um / unit_um - n) < rounding && (zero_allowed || n >= 1);
@@ -28,13 +37,30 @@ void check_multiple(const std::string& pointer, double length_um, double unit_um
   const double nearest_um = std::max(zero_allowed ? 0.0 : 1.0, n) * unit_um;
   problems.push_back({pointer, number_text(length_um),
                       "a multiple of " + unit_name + " = " + number_text(unit_um) + " um",
-                      "use " + number_text(nearest_um) + ", or change /fluid/lattice_spacing_um"});
+                      "use " + number_text(nearest_um) + epsilon_text(c, pointer, nearest_um) + ", or " +
+                          fitting_spacings(c)});
+}
+
+// A row shift that was given as epsilon is spoken of as such: nothing rounds it in silence.
+void check_row_shift(const Case& c, std::vector<Problem>& problems) {
+  const auto& g = c.geometry;
+  const double dx = c.fluid.lattice_spacing_um;
+  const std::size_t before = problems.size();
+  check_multiple(c, "/geometry/row_shift_um", g.row_shift_um, dx, "the lattice spacing", true, problems);
+  if (problems.size() == before || !g.by_epsilon) return;
+  const double nearest_um = std::round(g.row_shift_um / dx) * dx;
+  Problem& problem = problems.back();
+  problem.pointer = "/geometry/epsilon";
+  problem.value = number_text(g.row_shift_um / g.pitch_across_um());
+  problem.allowed = "a row shift, " + number_text(g.row_shift_um) + " um, that is " + problem.allowed;
+  problem.advice = "use " + number_text(nearest_um / g.pitch_across_um()) + ", a row shift of " +
+                   number_text(nearest_um) + " um, or " + fitting_spacings(c);
 }
 
 void check_depth(const Case& c, std::vector<Problem>& problems) {
   const double dx = c.fluid.lattice_spacing_um;
   const bool half = c.geometry.height == "half";
-  check_multiple("/geometry/depth_um", c.geometry.depth_um, half ? 2 * dx : dx,
+  check_multiple(c, "/geometry/depth_um", c.geometry.depth_um, half ? 2 * dx : dx,
                  half ? "2 lattice spacings (half height)" : "the lattice spacing", false, problems);
 }
 
@@ -68,10 +94,10 @@ bool check_pillar(const Case& c, std::vector<Problem>& problems) {
 void check_array(const Case& c, std::vector<Problem>& problems) {
   const auto& g = c.geometry;
   const double dx = c.fluid.lattice_spacing_um, pitch_y_um = g.pitch_across_um();
-  check_multiple("/geometry/pitch_um", g.pitch_um, dx, "the lattice spacing", false, problems);
+  check_multiple(c, "/geometry/pitch_um", g.pitch_um, dx, "the lattice spacing", false, problems);
   if (g.pitch_y_um)
-    check_multiple("/geometry/pitch_y_um", pitch_y_um, dx, "the lattice spacing", false, problems);
-  check_multiple("/geometry/row_shift_um", g.row_shift_um, dx, "the lattice spacing", true, problems);
+    check_multiple(c, "/geometry/pitch_y_um", pitch_y_um, dx, "the lattice spacing", false, problems);
+  check_row_shift(c, problems);
   check_pillar(c, problems);
   if (g.row_shift_um >= pitch_y_um) {
     problems.push_back(
@@ -79,13 +105,6 @@ void check_array(const Case& c, std::vector<Problem>& problems) {
          "less than the pitch of " + number_text(pitch_y_um) + " um",
          "use " + number_text(std::fmod(g.row_shift_um, pitch_y_um)) + ", which is the same array"});
   }
-}
-
-// Largest extent of the start shape from its centre along z (an upper bound).
-double half_extent_z_um(const CellParameters& cell) {
-  if (cell.shape == "sphere") return cell.radius_um;
-  const double tilt = cell.start.tilt_deg * std::numbers::pi / 180;
-  return cell.radius_um * (std::abs(std::sin(tilt)) + half_thickness_ratio * std::abs(std::cos(tilt)));
 }
 
 void check_start_height(const Case& c, std::vector<Problem>& problems) {
@@ -98,16 +117,20 @@ void check_start_height(const Case& c, std::vector<Problem>& problems) {
     }
     if (start.z_um != 0 || start.tilt_deg != 0) return;
   }
-  const double room_um = c.geometry.depth_um / 2 - half_extent_z_um(c.cell);
-  if (room_um <= 0) {
+  const HeightRange cell = height_range_um(c.cell);
+  const double lowest_um = -c.geometry.depth_um / 2 - cell.lowest,
+               highest_um = c.geometry.depth_um / 2 - cell.highest;
+  if (lowest_um >= highest_um) {
     problems.push_back(
-        {"/cell/radius_um", number_text(c.cell.radius_um),
+        {size_pointer(c.cell), size_text(c.cell),
          "a cell that fits in the depth of " + number_text(c.geometry.depth_um) + " um at the start",
-         "use a smaller radius or tilt, or a larger /geometry/depth_um"});
-  } else if (std::abs(start.z_um) >= room_um) {
+         "use a smaller cell or tilt, or a larger /geometry/depth_um"});
+  } else if (start.z_um <= lowest_um || start.z_um >= highest_um) {
+    const double nearest_um =
+        start.z_um < 0 ? std::ceil(10 * lowest_um) / 10 : std::floor(10 * highest_um) / 10;
     problems.push_back({"/cell/start/z_um", number_text(start.z_um),
-                        "less than " + number_text(room_um) + " in magnitude",
-                        "use " + number_text(std::copysign(std::floor(10 * room_um) / 10, start.z_um))});
+                        "above " + number_text(lowest_um) + " and below " + number_text(highest_um),
+                        "use " + number_text(nearest_um)});
   }
 }
 
@@ -119,8 +142,8 @@ void check_start_in_plane(const Case& c, std::vector<Problem>& problems) {
   const Device device = device_um(c);
   if (device.empty()) return;
   const GapLine gap = device.gap_line();
-  const double room_um =
-      device.pillars().signed_distance(start.x_um, gap.lower + start.gap_position_um) - c.cell.radius_um;
+  const double room_um = device.pillars().signed_distance(start.x_um, gap.lower + start.gap_position_um) -
+                         in_plane_radius_um(c.cell);
   if (room_um >= 0) return;
   problems.push_back({"/cell/start/gap_position_um", number_text(start.gap_position_um),
                       "a start at which the undeformed cell touches no pillar (it overlaps by " +
@@ -160,6 +183,9 @@ void check_passage(const Case& c, std::vector<Problem>& problems) {
   check_start_row(c, problems);
   check_start_height(c, problems);
   check_start_in_plane(c, problems);
+  check_width(c, problems);
+  check_mirror(c, c.geometry.height == "half", problems);
+  check_edges(c, problems);
   if (c.geometry.row_shift_um == 0 && c.stop.max_rows == 0) {
     problems.push_back({"/stop/max_rows", "0", "a number of rows when the rows are not shifted",
                         "use e.g. 10, or a row shift above 0"});
@@ -178,6 +204,10 @@ void check_streamlines(const Case& c, std::vector<Problem>& problems) {
 
 // Some vertex has to lie within the patch that is pulled at. Meshes of an even frequency have one at the tip.
 void check_stretching(const Case& c, std::vector<Problem>& problems) {
+  const bool coupled = c.stretching.method == "coupled";
+  check_mirror(c, coupled, problems);
+  if (coupled) check_edges(c, problems);
+  if (!sized_by_radius(c.cell)) return check_patches(c, problems);
   // The icosahedral mesh has n edges along an arc of 63 degrees.
   const double half_edge_um = 0.55 * c.cell.radius_um / c.cell.mesh_frequency;
   const bool reaches = c.cell.mesh_frequency % 2 == 0 || c.stretching.contact_radius_um >= half_edge_um;
@@ -191,17 +221,19 @@ void check_stretching(const Case& c, std::vector<Problem>& problems) {
 
 void check_channel(const Case& c, std::vector<Problem>& problems) {
   check_depth(c, problems);
-  check_multiple("/channel/width_um", c.channel.width_um, c.fluid.lattice_spacing_um, "the lattice spacing",
-                 true, problems);
+  check_multiple(c, "/channel/width_um", c.channel.width_um, c.fluid.lattice_spacing_um,
+                 "the lattice spacing", true, problems);
 }
 
 void check_shear(const Case& c, std::vector<Problem>& problems) {
-  check_multiple("/shear/box_um", c.shear.box_um, c.fluid.lattice_spacing_um, "the lattice spacing", false,
+  check_multiple(c, "/shear/box_um", c.shear.box_um, c.fluid.lattice_spacing_um, "the lattice spacing", false,
                  problems);
-  if (2 * c.cell.radius_um >= c.shear.box_um) {
-    problems.push_back({"/cell/radius_um", number_text(c.cell.radius_um),
-                        "less than half the box of " + number_text(c.shear.box_um) + " um",
-                        "use at most " + number_text(c.shear.box_um / 4) + " for a quarter of the box"});
+  check_edges(c, problems);
+  if (2 * reach_um(c.cell) >= c.shear.box_um) {
+    problems.push_back(
+        {size_pointer(c.cell), size_text(c.cell),
+         "a reach from the centre of less than half the box of " + number_text(c.shear.box_um) + " um",
+         "use at most " + number_text(c.shear.box_um / 4) + " for a quarter of the box"});
   }
 }
 

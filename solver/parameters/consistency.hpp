@@ -18,8 +18,8 @@ void check_stretching(const Case& c, std::vector<Problem>& problems);
 void check_channel(const Case& c, std::vector<Problem>& problems);
 void check_shear(const Case& c, std::vector<Problem>& problems);
 
-/// A length that must be a multiple of `unit_um`, which is called `unit_name`.
-void check_multiple(const std::string& pointer, double length_um, double unit_um,
+/// A length of the case that must be a multiple of `unit_um`, which is called `unit_name`.
+void check_multiple(const Case& c, const std::string& pointer, double length_um, double unit_um,
                     const std::string& unit_name, bool zero_allowed, std::vector<Problem>& problems);
 
 /// The depth on the lattice, half of it where only half is simulated.

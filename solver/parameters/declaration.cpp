@@ -4,7 +4,7 @@
 
 #include "geometry/pillar.hpp"
 #include "membrane/bending_law.hpp"
-#include "membrane/mesh.hpp"
+#include "parameters/cell_surface.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/scene_rules.hpp"
 #include "parameters/text.hpp"
@@ -35,17 +35,21 @@ Allowed between(double minimum, double maximum) {
 Allowed above(double minimum, double maximum) {
   return {minimum, maximum, true};
 }
-Allowed one_of(std::vector<std::string> names) {
-  return {.names = std::move(names)};
+Allowed one_of(std::vector<std::string> names, std::string meaning = {}) {
+  return {.names = std::move(names), .meaning = std::move(meaning)};
 }
 Allowed any() {
   return {};
+}
+Allowed three(Allowed of_each) {
+  of_each.items = 3;
+  return of_each;
 }
 
 std::vector<Declaration> geometry_and_fluid() {
   return {
       {"", "scene", at<&Case::scene>, one_of(scene_names()), "", "what is simulated"},
-      {"", "accuracy", at<&Case::accuracy>, one_of(preset_names()), "",
+      {"", "accuracy", at<&Case::accuracy>, one_of(preset_names(), preset_purposes()), "",
        "numerical settings that take the place of the defaults; keys that are given stay"},
       {"geometry", "pillar_shape", at<&Case::geometry, &G::pillar_shape>, one_of({"circle", "none"}), "",
        "cross-section of the pillars; none for an empty slit; other shapes are given as pillar"},
@@ -91,8 +95,15 @@ std::vector<Declaration> geometry_and_fluid() {
 
 std::vector<Declaration> cell() {
   return {
-      {"cell", "shape", at<&Case::cell, &L::shape>, one_of(cell_shape_names()), "", "stress-free shape"},
-      {"cell", "radius_um", at<&Case::cell, &L::radius_um>, above(0, 1000), "um", "r, largest radius"},
+      {"cell", "shape", at<&Case::cell, &L::shape>, one_of(all_cell_shape_names()), "", "stress-free shape"},
+      {"cell", "radius_um", at<&Case::cell, &L::radius_um>, above(0, 1000), "um",
+       "r, largest radius; of an ellipsoid or a mesh only the scale in Ca and the moduli, by default the "
+       "largest "
+       "radius in the plane"},
+      {"cell", "semi_axes_um", at<&Case::cell, &L::semi_axes_um>, three(above(0, 1000)), "um",
+       "of the shape ellipsoid, along x, y and z"},
+      {"cell", "mesh_file", at<&Case::cell, &L::mesh_file>, any(), "",
+       "of the shape mesh: closed surface of triangles in um, OFF or STL, relative to the case file"},
       {"cell", "mesh_frequency", at<&Case::cell, &L::mesh_frequency>, between(1, 200), "1",
        "n of the subdivided icosahedron; 20 n^2 faces"},
       {"cell", "capillary_number", at<&Case::cell, &L::capillary_number>, above(0, 1e6), "1",

@@ -22,6 +22,8 @@ struct Allowed {
   double maximum = std::numeric_limits<double>::infinity();
   bool open_minimum = false;  ///< the minimum itself is not allowed
   std::vector<std::string> names = {};
+  std::size_t items = 0;     ///< of a list; 0: any number but none
+  std::string meaning = {};  ///< of the names: what each is for, where they do not speak for themselves
 };
 
 struct Declaration {
@@ -35,11 +37,15 @@ struct Declaration {
   std::string pointer() const;  ///< JSON pointer, "/cell/start/x_um"
 };
 
-/// All parameters, in the order of struct Case. `scene` is the only required one.
+/// All parameters, in the order of struct Case. `scene` is the only required one. A text or list that is
+/// empty by default has no default: empty means that the case does not give it.
 const std::vector<Declaration>& declarations();
 
 /// geometry/epsilon = d / lambda, the other way of giving row_shift_um: it has no member of its own.
 const Declaration& epsilon_declaration();
+
+/// Names at the top level that speak about the case and change nothing: "$schema", "description".
+inline const std::vector<std::string> annotations = {"$schema", "description"};
 
 /// Sections ("geometry", "cell", "cell/start", ...) in the order of the table.
 std::vector<std::string> sections();

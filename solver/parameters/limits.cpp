@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "membrane/bending_law.hpp"
+#include "membrane/mesh_check.hpp"
+#include "parameters/cell_surface.hpp"
 #include "parameters/scene_rules.hpp"
 #include "parameters/units.hpp"
 
@@ -102,7 +104,8 @@ void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Mar
   const double area = shear + 2 * l.local_area_modulus / 3;
   const double steps = c.coupling.steps_per_update;
   const double weight = kernel_self_weight(c.coupling.kernel);
-  const double edge = mean_edge(l.cell_radius, c.cell.mesh_frequency);
+  const double edge = sized_by_radius(c.cell) ? mean_edge(l.cell_radius, c.cell.mesh_frequency)
+                                              : edge_lengths(cell_mesh(c.cell, l.cell_radius)).mean;
   const double law = entry(bending_law_by_name(c.cell.bending_law)).relative_stiffness;
   const double bending = 55 * law * l.bending_modulus / (edge * edge) * weight;
   margins.push_back(below("in-plane stiffness 2 sqrt3 (K/2 + G) sum phi^2",

@@ -49,21 +49,26 @@ Json lattice(double spacing_um, const char* walls, double relaxation_time, doubl
 // Presets of results/accuracy_conclusions.md, which were measured with the law hinge_sphere; of the critical
 // Ca none is stated while the bracket of `reference` is wide (results/tables/boundary_uncertainty.csv).
 const std::vector<Preset>& presets() {
-  const auto row = [](const char* name, Json fluid, int mesh_frequency, Json coupling, ExpectedError error) {
+  const auto row = [](const char* name, Json fluid, int mesh_frequency, Json coupling, ExpectedError error,
+                      const char* purpose) {
     return Preset{name,
                   {{"fluid", std::move(fluid)},
                    {"cell", {{"mesh_frequency", mesh_frequency}}},
                    {"coupling", std::move(coupling)}},
-                  error};
+                  error,
+                  purpose};
   };
   static const std::vector<Preset> table = {
-      row("draft", lattice(0.4, "interpolated", 0.8, 4.4928e-4), 8, plain_coupling(2), {8.1, 5.4, {}}),
-      row("standard", lattice(0.4, "interpolated", 0.8, 2.2464e-4), 10, plain_coupling(2), {3.2, 12.0, {}}),
+      row("draft", lattice(0.4, "interpolated", 0.8, 4.4928e-4), 8, plain_coupling(2), {8.1, 5.4, {}},
+          "a first look"),
+      row("standard", lattice(0.4, "interpolated", 0.8, 2.2464e-4), 10, plain_coupling(2), {3.2, 12.0, {}},
+          "studies on the paper's lattice"),
       row("corrected", lattice(0.4, "central_linear", 1.5, 3.744e-4), 10, corrected_coupling(0.25, 0.176),
-          {3.3, 10.0, {}}),
-      row("refined", lattice(0.2, "interpolated", 1.1, 1.1232e-4), 20, plain_coupling(1), {7.5, 11.0, {}}),
+          {3.3, 10.0, {}}, "contact with the pillars on the paper's lattice"),
+      row("refined", lattice(0.2, "interpolated", 1.1, 1.1232e-4), 20, plain_coupling(1), {7.5, 11.0, {}},
+          "the same model on half the spacing"),
       row("reference", lattice(0.2, "central_linear", 1.6, 1.1232e-4), 20, corrected_coupling(0.5, 0.704),
-          {0.9, 2.4, {}}),
+          {0.9, 2.4, {}}, "the most accurate results"),
   };
   return table;
 }
@@ -72,6 +77,12 @@ std::vector<std::string> preset_names() {
   std::vector<std::string> names;
   for (const auto& p : presets()) names.push_back(p.name);
   return names;
+}
+
+std::string preset_purposes() {
+  std::string text;
+  for (const auto& p : presets()) text += (text.empty() ? "" : ", ") + p.name + " is for " + p.purpose;
+  return text;
 }
 
 const Preset& preset(const std::string& name) {

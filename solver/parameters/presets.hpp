@@ -19,11 +19,14 @@ struct Preset {
   std::string name;
   nlohmann::ordered_json settings;  ///< part of a case: sections with numbers and names
   ExpectedError error;
+  std::string purpose;  ///< "a first look"
 };
 
 /// The presets, by lattice from coarse to fine. `standard` repeats the defaults of struct Case.
 const std::vector<Preset>& presets();
 std::vector<std::string> preset_names();
+/// "draft is for a first look, standard for ...": the presets and what each is for.
+std::string preset_purposes();
 const Preset& preset(const std::string& name);
 
 /// For `dld check`: the preset of the case, its expected error, and the settings in which the case departs

@@ -6,8 +6,11 @@
 #include <optional>
 #include <sstream>
 
+#include "parameters/advice.hpp"
+#include "parameters/cell_surface.hpp"
 #include "parameters/consistency.hpp"
 #include "parameters/declaration.hpp"
+#include "parameters/effect.hpp"
 #include "parameters/pillar_json.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/syntax.hpp"
@@ -62,22 +65,31 @@ class Store {
   }
   void operator()(std::string* field) const {
     const auto& names = declaration_.allowed.names;
-    if (value_.is_string() && std::ranges::find(names, value_.get<std::string>()) != names.end()) {
+    if (names.empty()) {
+      if (value_.is_string() && !value_.get<std::string>().empty()) {
+        *field = value_.get<std::string>();
+      } else {
+        complain("a text", "write it in quotes, or remove the key");
+      }
+    } else if (value_.is_string() && std::ranges::find(names, value_.get<std::string>()) != names.end()) {
       *field = value_.get<std::string>();
     } else {
       const std::string given = value_.is_string() ? value_.get<std::string>() : value_.dump();
-      complain(allowed_text(declaration_.allowed), "use " + Json(nearest_name(given, names)).dump());
+      complain(allowed_text(declaration_.allowed), unknown_text_advice(given, declaration_.allowed));
     }
   }
   void operator()(std::vector<double>* field) const {
-    const bool right =
-        value_.is_array() && !value_.empty() && std::ranges::all_of(value_, [&](const Json& item) {
-          return item.is_number() && in_range(item.get<double>(), declaration_.allowed);
-        });
+    const std::size_t items = declaration_.allowed.items;
+    const bool right = value_.is_array() && !value_.empty() && (items == 0 || value_.size() == items) &&
+                       std::ranges::all_of(value_, [&](const Json& item) {
+                         return item.is_number() && in_range(item.get<double>(), declaration_.allowed);
+                       });
     if (right) {
       *field = value_.get<std::vector<double>>();
     } else {
-      complain("a list of numbers, each " + allowed_text(declaration_.allowed), "write e.g. [0, 20, 40]");
+      complain("a list of " + (items > 0 ? number_text(static_cast<double>(items)) + " " : "") +
+                   "numbers, each " + allowed_text(declaration_.allowed),
+               items == 3 ? "write e.g. [4, 3, 1.5]" : "write e.g. [0, 20, 40]");
     }
   }
 
@@ -118,6 +130,7 @@ std::vector<std::string> known_names(const std::string& section) {
     if (declaration.section == section) names.emplace_back(declaration.name);
   }
   if (section == "geometry") names.emplace_back(epsilon_declaration().name);
+  if (section.empty()) names.insert(names.end(), annotations.begin(), annotations.end());
   for (const auto& other : sections()) {
     const auto slash = other.rfind('/');
     const std::string parent = slash == std::string::npos ? "" : other.substr(0, slash);
@@ -126,15 +139,7 @@ std::vector<std::string> known_names(const std::string& section) {
   return names;
 }
 
-// If the name belongs elsewhere, where; else the name that looks most like it.
-std::string unknown_name_advice(const std::string& name, const std::vector<std::string>& known) {
-  for (const auto& declaration : declarations()) {
-    if (declaration.name == name) return "it belongs at " + declaration.pointer();
-  }
-  return "did you mean \"" + nearest_name(name, known) + "\"?";
-}
-
-// The object of a section; nullptr if it is absent. Reports unknown names in it.
+// The object of a section; nullptr if it is absent.
 const Json* section_object(const Json& root, const std::string& section, std::vector<Problem>& problems) {
   const nlohmann::json::json_pointer pointer(section.empty() ? "" : "/" + section);
   if (!root.contains(pointer)) return nullptr;
@@ -143,13 +148,27 @@ const Json* section_object(const Json& root, const std::string& section, std::ve
     problems.push_back({pointer.to_string(), object.dump(), "an object", "write { ... }"});
     return nullptr;
   }
+  return &object;
+}
+
+// Names in a section that it does not have; the case serves the advice.
+void check_names(const Json& object, const std::string& section, const Case& c,
+                 std::vector<Problem>& problems) {
   const auto known = known_names(section);
   for (const auto& [name, value] : object.items()) {
     if (std::ranges::find(known, name) != known.end()) continue;
-    problems.push_back({pointer.to_string() + "/" + name, value.dump(), "one of the names " + joined(known),
-                        unknown_name_advice(name, known)});
+    const nlohmann::json::json_pointer pointer((section.empty() ? "" : "/" + section));
+    problems.push_back({(pointer / name).to_string(), value.dump(), "one of the names " + joined(known),
+                        unknown_name_advice(name, value, known, c)});
   }
-  return &object;
+}
+
+// Words about the case itself, which change nothing.
+void check_annotations(const Json& root, std::vector<Problem>& problems) {
+  for (const auto& name : annotations) {
+    if (root.is_object() && root.contains(name) && !root[name].is_string())
+      problems.push_back({"/" + name, root[name].dump(), "a text", "write it in quotes, or remove the key"});
+  }
 }
 
 // epsilon is the other way of giving the row shift.
@@ -193,7 +212,7 @@ void apply_preset(const Json& root, Case& c) {
 CaseError::CaseError(const std::string& file, std::vector<Problem> list)
     : std::runtime_error(list_text(file, list)), problems(std::move(list)) {}
 
-Reading read_tree(const Json& root) {
+Reading read_tree(const Json& root, const std::string& folder) {
   Reading reading;
   auto& [c, problems] = reading;
   apply_preset(root, c);
@@ -216,9 +235,20 @@ Reading read_tree(const Json& root) {
       refuse_both_pillars(*object, problems);
     }
   }
+  for (const auto& section : all_sections) {
+    const nlohmann::json::json_pointer pointer(section.empty() ? "" : "/" + section);
+    if (root.contains(pointer) && root.at(pointer).is_object())
+      check_names(root.at(pointer), section, c, problems);
+  }
+  check_annotations(root, problems);
+  if (!without_effect("/cell/shape", c)) complete_cell(root, folder, c.cell, problems);
   if (!problems.empty()) return reading;
-  if (epsilon) c.geometry.row_shift_um = *epsilon * c.geometry.pitch_across_um();
+  if (epsilon) {
+    c.geometry.row_shift_um = *epsilon * c.geometry.pitch_across_um();
+    c.geometry.by_epsilon = true;
+  }
   problems = inconsistencies(c);
+  if (problems.empty()) c.warnings = effect_warnings(root, c);
   return reading;
 }
 
@@ -226,7 +256,7 @@ Case parse_case(const std::string& text, const std::string& name) {
   std::vector<Problem> problems;
   const Json root = parse_json(text, problems);
   if (!problems.empty()) throw CaseError(name, problems);
-  Reading reading = read_tree(root);
+  Reading reading = read_tree(root, std::filesystem::path(name).parent_path().string());
   if (!reading.problems.empty()) throw CaseError(name, reading.problems);
   return reading.c;
 }

@@ -30,8 +30,8 @@ struct Reading {
   std::vector<Problem> problems;
 };
 
-/// Resolves and checks the tree of one case.
-Reading read_tree(const nlohmann::ordered_json& root);
+/// Resolves and checks the tree of one case; mesh files are relative to `folder`.
+Reading read_tree(const nlohmann::ordered_json& root, const std::string& folder);
 
 /// Reads, resolves defaults and checks a file: syntax, names, types and ranges first, then the rules that
 /// join several parameters (consistency.hpp). Throws CaseError; IoError stays with output/, so a file
@@ -41,7 +41,7 @@ Case read_case(const std::filesystem::path& path);
 /// The text of a file; throws CaseError.
 std::string read_text(const std::filesystem::path& path);
 
-/// The same for a text; `name` stands for the file in messages.
+/// The same for a text; `name` stands for the file in messages and for where mesh files are relative to.
 Case parse_case(const std::string& text, const std::string& name);
 
 /// The resolved case with all defaults; reading it gives the same case.

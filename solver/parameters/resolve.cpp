@@ -1,5 +1,7 @@
 #include "parameters/resolve.hpp"
 
+#include <filesystem>
+
 #include "parameters/reader.hpp"
 #include "parameters/report.hpp"
 #include "parameters/scene_rules.hpp"
@@ -33,8 +35,8 @@ Json warnings_json(const std::vector<Margin>& margins) {
 
 }  // namespace
 
-Json resolved_json(const Json& root) {
-  const Reading reading = read_tree(root);
+Json resolved_json(const Json& root, const std::string& folder) {
+  const Reading reading = read_tree(root, folder);
   Json answer = {{"problems", problems_json(reading.problems)}};
   if (!reading.problems.empty()) return answer;
   const Case& c = reading.c;
@@ -52,11 +54,12 @@ Json resolve_text(const std::string& text, const std::string& name) {
   std::vector<Problem> problems;
   const Json root = parse_json(text, problems);
   if (!problems.empty()) throw CaseError(name, problems);
+  const std::string folder = std::filesystem::path(name).parent_path().string();
   Json answers = Json::array();
   if (!root.is_array()) {
-    answers.push_back(resolved_json(root));
+    answers.push_back(resolved_json(root, folder));
   } else {
-    for (const Json& one : root) answers.push_back(resolved_json(one));
+    for (const Json& one : root) answers.push_back(resolved_json(one, folder));
   }
   return answers;
 }

@@ -6,12 +6,12 @@
 
 namespace dld {
 
-/// The answer for the tree of one case:
+/// The answer for the tree of one case, whose mesh files are relative to `folder`:
 ///   problems   [{pointer, value, allowed, advice}], all of them; without any there is also
 ///   case       with all defaults;  sections  of it that its scene reads
 ///   warnings   [{name, value, limit, unit, advice}], margins that do not hold
 ///   expected_to_diverge, memory_bytes, expected_cost
-nlohmann::ordered_json resolved_json(const nlohmann::ordered_json& root);
+nlohmann::ordered_json resolved_json(const nlohmann::ordered_json& root, const std::string& folder);
 
 /// The answers for a text that holds an array of cases, or one case; throws CaseError if it is no JSON.
 /// `name` stands for the file in messages.

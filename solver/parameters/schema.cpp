@@ -1,4 +1,5 @@
 /// What follows from the parameter table besides reading: the resolved echo and the JSON Schema.
+#include <algorithm>
 #include <cmath>
 
 #include "parameters/declaration.hpp"
@@ -35,11 +36,6 @@ void add_limits(Json& schema, const Allowed& allowed) {
   if (std::isfinite(allowed.maximum)) schema["maximum"] = limit(allowed.maximum);
 }
 
-bool is_optional(const Field& field) {
-  return std::holds_alternative<std::optional<double>*>(field) ||
-         std::holds_alternative<std::optional<PillarValues>*>(field);
-}
-
 Json value_of(const Field& field) {
   return std::visit(
       []<class T>(T* value) -> Json {
@@ -52,6 +48,12 @@ Json value_of(const Field& field) {
         }
       },
       field);
+}
+
+// What a case does not give: nothing, an empty text or an empty list.
+bool is_absent(const Json& value) {
+  return value.is_null() || (value.is_string() && value.get<std::string>().empty()) ||
+         (value.is_array() && value.empty());
 }
 
 Json property(const Declaration& declaration, Case& defaults) {
@@ -71,11 +73,13 @@ Json property(const Declaration& declaration, Case& defaults) {
   if (schema["type"] == "array") {
     schema["items"] = {{"type", "number"}};
     add_limits(schema["items"], declaration.allowed);
-    schema["minItems"] = 1;
+    schema["minItems"] = std::max<std::size_t>(1, declaration.allowed.items);
+    if (declaration.allowed.items > 0) schema["maxItems"] = declaration.allowed.items;
   } else {
     add_limits(schema, declaration.allowed);
   }
-  if (declaration.name != "scene" && !is_optional(field)) schema["default"] = value_of(field);
+  const Json value = value_of(field);
+  if (declaration.name != "scene" && !is_absent(value)) schema["default"] = value;
   return schema;
 }
 
@@ -99,9 +103,8 @@ Json echo(const Case& c) {
   Case copy = c;  // the fields of the table are not const
   Json tree;
   for (const auto& declaration : declarations()) {
-    const Field field = declaration.field(copy);
-    const Json value = value_of(field);
-    if (!is_optional(field) || !value.is_null()) tree[Json::json_pointer(declaration.pointer())] = value;
+    const Json value = value_of(declaration.field(copy));
+    if (!is_absent(value)) tree[Json::json_pointer(declaration.pointer())] = value;
   }
   if (c.geometry.pillar) {
     for (const char* short_form : {"pillar_shape", "pillar_radius_um"}) tree["geometry"].erase(short_form);
@@ -122,6 +125,10 @@ Json case_schema() {
   for (const auto& declaration : declarations()) {
     section_schema(root, declaration.section)["properties"][std::string(declaration.name)] =
         property(declaration, defaults);
+  }
+  for (const auto& name : annotations) {
+    const char* meaning = "about the case; changes nothing and is no part of a run's identity";
+    root["properties"][name] = {{"description", meaning}, {"type", "string"}};
   }
   // An annotation: the defaults that each preset puts in place of those stated below.
   Json& annotation = root["properties"]["accuracy"]["x-presets"];

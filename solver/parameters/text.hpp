@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,19 @@ inline std::size_t edit_distance(const std::string& a, const std::string& b) {
 /// empty.
 inline std::string nearest_name(const std::string& name, const std::vector<std::string>& names) {
   return *std::ranges::min_element(names, {}, [&](const std::string& n) { return edit_distance(name, n); });
+}
+
+/// The same, if it looks alike: the given one and a unit ("depth", "depth_um"), or one in which no more than
+/// a third of the letters differ, or two of a short name.
+inline std::optional<std::string> similar_name(const std::string& name,
+                                               const std::vector<std::string>& names) {
+  if (names.empty()) return std::nullopt;
+  const auto with_unit =
+      std::ranges::find_if(names, [&](const auto& n) { return n.starts_with(name + "_"); });
+  if (with_unit != names.end()) return *with_unit;
+  const std::string near = nearest_name(name, names);
+  const std::size_t most = std::max<std::size_t>(std::min<std::size_t>(2, near.size() / 2), near.size() / 3);
+  return edit_distance(name, near) <= most ? std::optional(near) : std::nullopt;
 }
 
 }  // namespace dld

@@ -1,6 +1,7 @@
 #include "scene/coupled_state.hpp"
 
 #include "output/provenance.hpp"
+#include "parameters/cell_surface.hpp"
 #include "parameters/reader.hpp"
 
 namespace dld {
@@ -14,7 +15,9 @@ Eigen::MatrixX3d to_matrix(const std::vector<double>& values) {
 }
 
 std::string checkpoint_identity(const Case& c) {
-  return echo(c).dump() + build_fingerprint();
+  // A mesh file may change while its name stays.
+  const std::string surface = c.cell.surface ? fingerprint(cell_mesh(c.cell, 1.0)) : "";
+  return echo(c).dump() + surface + build_fingerprint();
 }
 
 }  // namespace dld

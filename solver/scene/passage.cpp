@@ -42,7 +42,7 @@ class PassageRun {
         device_(device_lu(c)),
         gap_(device_.gap_line()),
         lattice_(make_unit_cell(c, device_), make_fluid_model(c)),
-        membrane_(make_cell(c.cell.shape, c.cell.mesh_frequency, l_.cell_radius), make_moduli(c)),
+        membrane_(cell_mesh(c.cell, l_.cell_radius), make_moduli(c)),
         lateral_(c.fluid.lateral_flow == "blocked", l_),
         map_(map_options(c)),
         unit_(whole_steps(make_coupling_model(c))) {

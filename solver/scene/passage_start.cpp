@@ -1,9 +1,10 @@
 #include "scene/passage_start.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "measure/streamlines.hpp"
+#include "membrane/mesh.hpp"
+#include "parameters/cell_surface.hpp"
 #include "parameters/units.hpp"
 
 namespace dld {
@@ -11,8 +12,9 @@ namespace {
 
 /// Half the width (lu) that the cell will have at the pillars: a guess, from the passages at d = 2.0 um. Only
 /// the number of rows until the cell is on its way depends on it.
-double expected_half_width(const Case& c, const LatticeParameters& l) {
+double expected_half_width(const Case& c, const Eigen::MatrixX3d& shape, const LatticeParameters& l) {
   constexpr double softening = 0.37;
+  if (!sized_by_radius(c.cell)) return -shape.col(1).minCoeff();
   return c.cell.shape == "red_blood_cell" ? l.cell_radius / (1.0 + softening * c.cell.capillary_number)
                                           : l.cell_radius;
 }
@@ -38,12 +40,10 @@ Eigen::MatrixX3d start_positions(const Case& c, const Eigen::MatrixX3d& shape, c
   if (start.gap_position_um >= 0.0) {
     centre.y() = gap.lower + start.gap_position_um / l.um_per_lu;
   } else {
-    centre.y() = device.empty() ? gap.lower : start_height(centre.x(), gap, expected_half_width(c, l), field);
+    centre.y() =
+        device.empty() ? gap.lower : start_height(centre.x(), gap, expected_half_width(c, shape, l), field);
   }
-  const double tilt = start.tilt_deg * std::numbers::pi / 180.0;
-  Eigen::Matrix3d turn;
-  turn << std::cos(tilt), 0, -std::sin(tilt), 0, 1, 0, std::sin(tilt), 0, std::cos(tilt);
-  Eigen::MatrixX3d x = shape * turn;
+  Eigen::MatrixX3d x = tilted(shape, start.tilt_deg);
   x.rowwise() += centre;
   return x;
 }

@@ -7,6 +7,7 @@
 #include "geometry/device.hpp"
 #include "geometry/unit_cell.hpp"
 #include "membrane/membrane.hpp"
+#include "parameters/cell_surface.hpp"
 #include "parameters/units.hpp"
 
 namespace dld {

@@ -71,7 +71,7 @@ Status run(const Case& c, RunContext& context) {
   moduli.bending = c.cell.bending_ratio * moduli.shear * a * a;
   moduli.bending_law = bending_law_by_name(c.cell.bending_law);
   if (c.cell.volume_control == "penalty") moduli.volume = c.cell.volume_modulus * moduli.shear / a;
-  Membrane membrane(make_cell(c.cell.shape, c.cell.mesh_frequency, a), moduli);
+  Membrane membrane(cell_mesh(c.cell, a), moduli);
   const PillarArray no_pillars(std::make_shared<const NoPillar>(), n, n, 0.0);
   CouplingModel coupling = make_coupling_model(c);
   coupling.wall_height = 0.5 * n;  // the walls are those of the box
@@ -122,7 +122,8 @@ Status run(const Case& c, RunContext& context) {
   const double gs = 4.0 * moduli.shear / moduli.skalak_denominator, ks = gs + 2.0 * moduli.local_area / 3.0;
   context.summary["deformation"] = deformation;
   context.summary["deformation_change"] = std::isfinite(change) ? nlohmann::ordered_json(change) : nullptr;
-  context.summary["deformation_theory"] = 0.625 * l.viscosity * rate * a * (3.0 / gs + 1.0 / ks);
+  if (sized_by_radius(c.cell))  // the theory is that of a sphere
+    context.summary["deformation_theory"] = 0.625 * l.viscosity * rate * a * (3.0 / gs + 1.0 / ks);
   context.summary["steps"] = done;
   context.summary["node_updates"] = done * static_cast<long>(lattice.fluid_nodes());
   context.summary["membrane_updates"] = done * membrane.vertex_count();

@@ -126,10 +126,11 @@ template <class Real>
 std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& status) {
   const LatticeParameters l = to_lattice(c);
   constexpr double shear_lu = coupled_stretching_shear_modulus;
-  Lattice<Real> lattice(quiescent_box(l.cell_radius), make_fluid_model(c));
+  const TriangleMesh mesh = cell_mesh(c.cell, l.cell_radius);
+  const double reach = sized_by_radius(c.cell) ? l.cell_radius : mesh.vertices.cwiseAbs().maxCoeff();
+  Lattice<Real> lattice(quiescent_box(reach), make_fluid_model(c));
   lattice.set_threads(context.threads);
-  Membrane membrane(make_cell(c.cell.shape, c.cell.mesh_frequency, l.cell_radius),
-                    stretching_moduli(c, shear_lu, l.cell_radius, c.cell.volume_control == "penalty"));
+  Membrane membrane(mesh, stretching_moduli(c, shear_lu, l.cell_radius, c.cell.volume_control == "penalty"));
   const PillarArray no_pillars(std::make_shared<const NoPillar>(), lattice.cell().nx, lattice.cell().ny, 0.0);
   CouplingModel coupling = make_coupling_model(c);
   coupling.wall_height = lattice.cell().nz;  // the far wall; the mirror plane is z = 0
@@ -255,7 +256,7 @@ void write_results(const Case& c, const TriangleMesh& reference_um, const std::v
 
 Status run_stretching(const Case& c, RunContext& context) {
   Status status = Status::converged;
-  const TriangleMesh mesh = make_cell(c.cell.shape, c.cell.mesh_frequency, c.cell.radius_um);
+  const TriangleMesh mesh = cell_mesh(c.cell, c.cell.radius_um);
   std::vector<Result> results;
   if (c.stretching.method == "coupled") {
     results = with_precision(c, [&]<class Real>() { return stretch_coupled<Real>(c, context, status); });

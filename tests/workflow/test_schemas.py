@@ -20,7 +20,7 @@ def solver(*arguments):
     return subprocess.run([DLD, *arguments], capture_output=True, text=True, check=False)
 
 
-@pytest.mark.parametrize("name", ["case", "study", "claims"])
+@pytest.mark.parametrize("name", ["case", "cell", "study", "claims"])
 def test_schemas_are_valid_and_of_2020_12(name):
     schema = planning.read_json(planning.SCHEMAS / f"{name}.schema.json")
     assert schema["$schema"] == "https://json-schema.org/draft/2020-12/schema"
