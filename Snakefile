@@ -103,7 +103,7 @@ onstart:
 
 
 onsuccess:
-    if {job.rule.name for job in workflow.dag.targetjobs} & {"all", "claims", "redraw"} and Path(CLAIM_FILES[0]).exists():
+    if {job.rule.name for job in workflow.dag.targetjobs} & {"all", "claims"} and Path(CLAIM_FILES[0]).exists():
         shell(f"python {SCRIPTS}/print_claims.py {CLAIM_FILES[0]}")
     if failed := failed_runs(PLANNED, RUNS):
         told = "\n".join(f"  {RUNS}/{run}: {why}" for run, why in failed.items())

@@ -1,8 +1,8 @@
 """How far a call of the pipeline is and how long it will take, in words for people.
 
-Every job has an expected time on one core: of a solver run the work that its case asks for over a rate, of the
-others a typical time. The times seen so far correct both kinds by a factor each, so that a slower machine is
-known after some runs.
+Every job has an expected time on one core: of a solver run the work that its case asks for over a rate, of
+the others a typical time. The times seen so far correct both kinds by a factor each, so that a slower machine
+is known after some runs.
 """
 
 from collections import Counter
@@ -17,7 +17,7 @@ ORDINARY = 2.0
 LONGER = {"build": 300, "build_bending_laws": 15, "boundary_fits": 20, "figure_phase_space": 15}
 LONGER |= {"report": 6, "paper": 12, "animation": 5, "array_lines": 6, "figure_uncertainty": 15}
 LONGER |= {"bracket_start": 0.7, "bracket_narrow": 0.7}
-#: Share of the points of brackets that need a run, until some were seen: a bracket that is done asks for none.
+#: Share of the points of brackets that need a run, until some were seen: one that is done asks for none.
 NEEDED = 0.7
 #: A point of a bracket that took less, in seconds, ran nothing.
 NOTHING = 2.0
@@ -87,14 +87,14 @@ def with_index(plan):
 
 
 def duration(seconds):
-    """A time to go in words, no finer than it is known."""
+    """A time in words, no finer than it is known."""
     minutes = round(seconds / 60)
     if minutes < 1:
         return "less than a minute"
     if minutes < 60:
-        return f"{minutes} min"
+        return f"about {minutes} min"
     hours, rest = divmod(minutes, 60)
-    return f"{hours} h {rest} min" if hours < 10 else f"{hours} h"
+    return f"about {hours} h {rest} min" if hours < 10 else f"about {hours} h"
 
 
 @dataclass
@@ -172,7 +172,7 @@ class Progress:
         names = " and ".join(dict.fromkeys(job.name for job in running))
         words = [f"{stage} {done} of {total}"] + ([f"{names} running"] if names else [])
         left = self.left(now)
-        return ", ".join([*words, f"about {duration(left)} left", f"ends {clock(now + left)}"])
+        return ", ".join([*words, f"{duration(left)} left", f"ends {clock(now + left)}"])
 
     def table(self):
         """The job table of a dry run, a line for each stage, and the estimate."""
@@ -181,11 +181,13 @@ class Progress:
             seconds[job.stage] += self.expected(job, 0.0)
         width = max(map(len, self.total), default=0)
         lines = [
-            f"{stage:{width}}  {self.total[stage]:5} jobs  {duration(seconds[stage]):>18} of one core"
+            f"{stage:{width}}  {self.total[stage]:5} jobs  {duration(seconds[stage]):>20} of one core"
             for stage in self.total
         ]
+        if not lines:
+            return ["no jobs"]
         cores = f"{self.cores} core{'s' * (self.cores > 1)}"
-        return [*lines, f"{sum(self.total.values())} jobs, about {duration(self.left(0.0))} on {cores}"]
+        return [*lines, f"{sum(self.total.values())} jobs, {duration(self.left(0.0))} on {cores}"]
 
 
 def _solver_last(job):
