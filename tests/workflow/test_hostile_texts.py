@@ -1,4 +1,4 @@
-"""Names and texts of the study and the claims that would be a command, a path, a wildcard, a page or LaTeX."""
+"""Names and texts of study and claims that would be a command, a path, a wildcard, a page or LaTeX."""
 
 import copy
 import json
@@ -115,5 +115,5 @@ def test_an_id_of_a_claim_is_plain_and_no_text_has_control_characters(root, tmp_
         planning.validated(path, "claims")
     claims["claims"][0]["claim"] = text + "\x1b[2J and more"
     path.write_text(json.dumps(claims), encoding="utf-8")
-    with pytest.raises(ValueError, match="/claims/0/claim: .*control characters"):
+    with pytest.raises(ValueError, match=r"/claims/0/claim: .*control characters"):
         planning.validated(path, "claims")

@@ -64,8 +64,8 @@ def test_the_table_has_a_line_for_every_stage_and_the_estimate():
     progress = solver_jobs(60.0, 60.0)
     progress.add("t", Job("tables", "claims", 2.0))
     assert progress.table() == [
-        "passages      2 jobs         about 2 min of one core",
-        "tables        1 jobs  less than a minute of one core",
+        "passages      2 jobs           about 2 min of one core",
+        "tables        1 jobs    less than a minute of one core",
         "3 jobs, about 1 min on 2 cores",
     ]
 
