@@ -2,7 +2,7 @@
 
 import pytest
 from study import plan as planning
-from study.progress import BELIEF, NEEDED, SOLVER, Job, Progress, described, duration, with_index
+from study.progress import BELIEF, NEEDED, Job, Progress, described, duration, with_index
 
 
 @pytest.fixture(scope="module")
@@ -13,7 +13,7 @@ def plan():
 def solver_jobs(*seconds, chain=""):
     progress = Progress(cores=2)
     for number, expected in enumerate(seconds):
-        progress.add(number, Job("passages", f"run {number}", expected, SOLVER, chain))
+        progress.add(number, Job("passages", f"run {number}", expected, "passage", chain))
     return progress
 
 
@@ -36,7 +36,7 @@ def test_a_machine_of_half_the_speed_is_known_after_some_runs():
     for number in range(10):
         progress.start(number, 0.0)
         progress.finish(number, 200.0)
-    assert progress.factor(SOLVER) == pytest.approx((2000 + BELIEF) / (1000 + BELIEF))
+    assert progress.factor("passage") == pytest.approx((2000 + BELIEF) / (1000 + BELIEF))
     assert progress.left(200.0) == pytest.approx(1000.0, rel=0.02)
     assert progress.line(200.0, lambda moment: f"at {moment:.0f}").startswith(
         "jobs 10 of 20, about 16 min left"
@@ -56,7 +56,7 @@ def test_levels_of_a_bracket_wait_for_one_another_and_may_need_nothing():
     assert progress.left(0.0) == pytest.approx(200.0 * NEEDED)
     progress.start(0, 0.0)
     progress.finish(0, 0.5)  # it asked for nothing, which says nothing of the machine
-    assert progress.factor(SOLVER) == 1.0
+    assert progress.factor("passage") == 1.0
     assert progress.left(1.0) == pytest.approx(100.0 * 3 * NEEDED / 4)
 
 

@@ -12,6 +12,8 @@ from study.schedule import expected_updates
 
 #: Expected node updates (study.schedule) that one core does in a second, medians of the committed study.
 RATES = {"streamlines": 1.0e8, "stretching": 1.4e7, "phi4": 1.9e8, "phi4_corrected": 1.0e8}
+#: The same of a flow without a cell in single precision, whose criterion is met earlier, too.
+SINGLE_FLOW = 6.8e8
 #: Seconds of a program of Python that reads tables and writes one, and of the jobs that take longer.
 ORDINARY = 2.0
 LONGER = {"build": 300, "build_bending_laws": 15, "boundary_fits": 20, "figure_phase_space": 15}
@@ -25,13 +27,16 @@ NOTHING = 2.0
 BELIEF = 30.0
 STAGES = {"streamlines": "flows without a cell", "stokes": "flows without a cell"}
 STAGES |= {"sensitivity-flow": "flows without a cell", "stretching": "stretched cells"}
-SOLVER, OTHER = "solver", "other"
+OTHER = "other"  # kind of a job that is no run of the solver; of a run it is the scene
 
 
 def seconds_of_case(case):
     """Expected seconds of a solver run on one core."""
     kind = case["scene"] if case["scene"] in RATES else case.get("coupling", {}).get("kernel")
-    return 0.4 + expected_updates(case) / RATES.get(kind, RATES["phi4"])
+    rate = RATES.get(kind, RATES["phi4"])
+    if kind == "streamlines" and case["fluid"]["precision"] == "single":
+        rate = SINGLE_FLOW
+    return 0.4 + expected_updates(case) / rate
 
 
 def point_in_words(case):
@@ -67,13 +72,14 @@ def described(rule, wildcards, plan, threads=1):
     if rule == "solve" and wildcards["run"] in runs:
         run = runs[wildcards["run"]]
         stage, case = STAGES.get(run["group"], "passages"), run["case"]
-        return Job(stage, point_in_words(case), seconds_of_case(case), SOLVER)
+        return Job(stage, point_in_words(case), seconds_of_case(case), case["scene"])
     if rule in ("bracket_point", "bracket_confirm"):
         bracket = plan["brackets"][wildcards["bracket"]]
         case = bracket["confirm"][wildcards["label"]] if rule == "bracket_confirm" else bracket["case"]
         axis = "critical Ca" if bracket["axis"] == "capillary_number" else "critical d"
         name = f"{axis} of {wildcards['bracket']}"
-        return Job("passages of brackets", name, seconds_of_case(case), SOLVER, wildcards["bracket"])
+        seconds = seconds_of_case(case)
+        return Job("passages of brackets", name, seconds, case["scene"], wildcards["bracket"])
     if rule == "build":
         return Job("solver", "building the solver", LONGER["build"], OTHER, "", None, threads)
     stage = "figures" if rule.startswith("fig") or rule.startswith("anim") else "tables"
@@ -105,7 +111,7 @@ class Progress:
     cores: int = 1
     done: Counter = field(default_factory=Counter)
     total: Counter = field(default_factory=Counter)
-    seen: dict = field(default_factory=lambda: {SOLVER: [0.0, 0.0], OTHER: [0.0, 0.0]})
+    seen: dict = field(default_factory=dict)  # by kind: expected and actual seconds of the jobs that are done
     points: list = field(default_factory=lambda: [0, 0])  # of brackets: that ran, that are done
 
     def add(self, identity, job):
@@ -131,12 +137,12 @@ class Progress:
             if took < NOTHING:
                 return
             self.points[0] += 1
-        expected, actual = self.seen[job.kind]
+        expected, actual = self.seen.get(job.kind, (0.0, 0.0))
         self.seen[job.kind] = [expected + job.seconds, actual + took]
 
     def factor(self, kind):
         """Times seen over times expected, drawn to 1 while little was seen."""
-        expected, actual = self.seen[kind]
+        expected, actual = self.seen.get(kind, (0.0, 0.0))
         return (actual + BELIEF) / (expected + BELIEF)
 
     def expected(self, job, now):
@@ -153,11 +159,11 @@ class Progress:
         chains, work = Counter(), Counter()
         for job in self.jobs.values():
             seconds = self.expected(job, now)
-            work[job.kind] += seconds
+            work[job.kind == OTHER] += seconds
             if job.chain:
                 chains[job.chain] += seconds
         longest = max(chains.values(), default=0.0)
-        return max(work[SOLVER] / self.cores, longest) + work[OTHER] / self.cores
+        return max(work[False] / self.cores, longest) + work[True] / self.cores
 
     def running(self):
         """Jobs that run, those of the solver first."""
@@ -191,7 +197,7 @@ class Progress:
 
 
 def _solver_last(job):
-    return job.kind != SOLVER
+    return job.kind == OTHER
 
 
 #: The call of this process: what the Snakefile plans and the logger plugin tells.
