@@ -130,7 +130,8 @@ onstart:
 
 
 onsuccess:
-    if "claims" in STUDY_TEXT and {job.rule.name for job in workflow.dag.targetjobs} & {"all", "claims", "redraw"}:
+    asked = {job.rule.name for job in workflow.dag.targetjobs}
+    if "claims" in STUDY_TEXT and asked & {"all", "claims"} and Path(CLAIM_FILES[0]).exists():
         shell(f"python {SCRIPTS}/print_claims.py {CLAIM_FILES[0]}")
     if failed := failed_runs(PLANNED, RUNS):
         told = "\n".join(f"  {RUNS}/{run}: {why}" for run, why in failed.items())

@@ -1,6 +1,8 @@
 """What the tests of the pipeline share: the plan of the smoke tier and made-up results of its runs."""
 
+import fcntl
 import json
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -53,16 +55,42 @@ def make_bracket(definition, plan, folder):
             (place / f"confirm-{label}-{side}.json").write_text(json.dumps(found), encoding="utf-8")
 
 
-@pytest.fixture(scope="session", params=["smoke", "fine"])
-def results(request, tmp_path_factory):
-    """Folder of a tier: its plan and made-up results of its runs and brackets; scripts write there too."""
-    folder = tmp_path_factory.mktemp(request.param)
-    plan = planning.load_plan(ROOT / "params/studies/krueger2014.json", request.param)
+def made_up_tier(tier, folder):
+    """The plan of a tier and made-up results of its runs and brackets in a folder."""
+    plan = planning.load_plan(ROOT / "params/studies/krueger2014.json", tier)
     (folder / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
     for run in plan["runs"]:
         make_run(run["case"], plan, folder)
     for definition in plan["brackets"].values():
         make_bracket(definition, plan, folder)
+
+
+@pytest.fixture(scope="session")
+def made_up(tmp_path_factory, worker_id):
+    """The folder with the made-up runs of a tier, made once for all processes of the tests: only to read."""
+    base = tmp_path_factory.getbasetemp()
+    base = base if worker_id == "master" else base.parent
+
+    def of(tier):
+        folder = base / f"made-up-{tier}"
+        with (base / f"{tier}.lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if not (folder / "done").exists():
+                folder.mkdir()
+                made_up_tier(tier, folder)
+                (folder / "done").touch()
+        return folder
+
+    return of
+
+
+@pytest.fixture(scope="session", params=["smoke", "fine"])
+def results(request, tmp_path_factory, made_up):
+    """Folder of a tier: its plan and made-up results of its runs and brackets; scripts write there too."""
+    folder, source = tmp_path_factory.mktemp(request.param), made_up(request.param)
+    shutil.copy(source / "plan.json", folder)
+    for name in ("runs", "brackets"):
+        (folder / name).symlink_to(source / name)
     return folder
 
 

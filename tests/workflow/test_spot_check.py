@@ -100,9 +100,11 @@ def test_the_programs_make_a_run_again_and_fail_where_it_comes_out_otherwise(
     program.chmod(0o755)
     table = pd.read_csv(committed, dtype=str, keep_default_na=False)
     table.loc[table.run == table.run[0], "d_perp_um"] = "1.000"
-    table.to_csv(tmp_path / "committed.csv", index=False)
+    (tmp_path / "tables").mkdir()
+    table.to_csv(tmp_path / "tables/passages.csv", index=False)
     scripts, runs = root / "workflow/scripts", tmp_path / "runs"
-    given = {"plan": results / "plan.json", "table": tmp_path / "committed.csv", "runs": runs, "dld": program}
+    given = {"plan": results / "plan.json", "tables": tmp_path / "tables", "runs": runs, "dld": program}
+    given["own"] = results / "runs"
     other = table.run[table.run != table.run[0]].iloc[0]
     for run in (table.run[0], other):
         call("spot_run", **given, runner=scripts / "run_case", run=run, output=tmp_path / f"{run}.json")

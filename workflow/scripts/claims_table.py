@@ -20,7 +20,17 @@ from study.tables import read_table, write_table
 TABLES = ["streamline_separation", "fits", "stokes_checks", "units", "stretching", "passages"]
 TABLES += ["phase_boundary", "critical_row_shift", "a_priori"]
 COLUMNS = ["id", "verdict", "grounds", "claim", "where", "paper_value", "unit", "measured", "uncertainty"]
-COLUMNS += ["tolerance", "reason", "limit", "limit_reason", "note", "explanation"]
+COLUMNS += [
+    "tolerance",
+    "reason",
+    "limit",
+    "limit_reason",
+    "note",
+    "explanation",
+    "figure",
+    "tables",
+    "check",
+]
 
 
 def as_text(value):
@@ -30,6 +40,26 @@ def as_text(value):
     if isinstance(value, list):
         return f"[{', '.join(map(as_text, value))}]"
     return "" if value is None else f"{value:g}"
+
+
+class Noted(dict):
+    """Tables that note which of them were read."""
+
+    def __init__(self, tables):
+        super().__init__(tables)
+        self.read = {}
+
+    def __getitem__(self, name):
+        self.read[name] = True
+        return super().__getitem__(name)
+
+
+def origin(claim, tables):
+    """Where a verdict comes from: the tables that its check read, the check and the figure that shows it."""
+    check = CHECKS[claim["id"]]
+    place = f"{check.__module__}.{check.__qualname__.split('.')[0]}"
+    read = [name for name in TABLES if name in tables.read]
+    return {"figure": claim.get("figure"), "tables": " ".join(read), "check": place}
 
 
 def judged(claim, tables, experiment):
@@ -49,7 +79,9 @@ def row_of(claim, views, experiment, tier):
     default, *others = views
     for name in others:
         row[f"verdict_{name}"] = judged(claim, views[name], experiment)[0]
-    row["verdict"], row["grounds"], finding = judged(claim, views[default], experiment)
+    read = Noted(views[default])
+    row["verdict"], row["grounds"], finding = judged(claim, read, experiment)
+    row |= origin(claim, read)
     if row["verdict"] == NOT_RUN:
         return row | {"note": f"the {tier} tier has no runs for it"}
     if row["verdict"] == NOT_DECIDED:

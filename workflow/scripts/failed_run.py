@@ -1,11 +1,10 @@
-"""The files of a run that failed: its status and why, and no data. Tables show it as a row without numbers."""
+"""The files of a run that failed: its status and why, no data. Tables show it as a row without numbers."""
 
 import argparse
 import json
 from pathlib import Path
 
 import h5py
-
 from study.failures import FAILED
 
 parser = argparse.ArgumentParser(description=__doc__)

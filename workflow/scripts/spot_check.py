@@ -5,6 +5,7 @@ Ends with an error if a passage came out otherwise.
 
 import argparse
 import sys
+from collections import Counter
 
 from study.plan import read_json
 from study.spot_check import ALIKE, OTHER, SAME
@@ -25,6 +26,7 @@ COLUMNS = [
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("--results", nargs="+", required=True)
 parser.add_argument("--output", required=True)
+parser.add_argument("--what", default="passages", help="what was made again")
 arguments = parser.parse_args()
 
 results = [read_json(path) for path in arguments.results]
@@ -39,12 +41,14 @@ rows = [
     for result in results
 ]
 write_table(rows, COLUMNS, arguments.output, [*SHOWN, "run"])
-count = {verdict: sum(row["verdict"] == verdict for row in rows) for verdict in (SAME, ALIKE, OTHER)}
+count = Counter(row["verdict"] for row in rows)
+without = len(rows) - sum(count[verdict] for verdict in (SAME, ALIKE, OTHER))
 for row in rows:
     if row["verdict"] != SAME:
         print(f"{row['verdict']}: {row}")
 print(
-    f"{len(rows)} passages made again: {count[SAME]} the same in every column, "
+    f"{len(rows)} {arguments.what} made again: {count[SAME]} the same in every column, "
     f"{count[ALIKE]} with the same class and D_perp, {count[OTHER]} otherwise"
+    + (f", {without} with nothing to compare with" if without else "")
 )
 sys.exit(1 if count[OTHER] else 0)

@@ -71,7 +71,7 @@ class LogHandler(LogHandlerBase):
             return
         if not self.said:
             self.said = True
-            say(f"{sum(CURRENT.total.values())} jobs, about {duration(CURRENT.left(time.time()))} in all")
+            say(f"{sum(CURRENT.total.values())} jobs, {duration(CURRENT.left(time.time()))} in all")
         CURRENT.start(record.jobid, time.time())
         if record.rule_name == "build":
             say("building the solver: two to five minutes, once")
@@ -93,5 +93,5 @@ class LogHandler(LogHandlerBase):
             say(f"{NOTHING}: all results are there")
         elif text.startswith(DRY):
             say("\n".join(CURRENT.table()))
-        elif record.levelname in ("ERROR", "CRITICAL"):
+        elif record.levelname in ("ERROR", "CRITICAL") and not text.startswith("RuleException"):
             say(record.getMessage())

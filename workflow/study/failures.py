@@ -1,5 +1,5 @@
-"""Solver runs that failed: kept as results with a label, so that the tables of the others are made, named at the
-end, and tried again by the next call."""
+"""Solver runs that failed: kept as results with a label, so that the tables of the others are made, named at
+the end, and tried again by the next call."""
 
 import json
 from pathlib import Path

@@ -1,7 +1,7 @@
 """One call of the pipeline at a time in a tree: two would delete each other's results.
 
-Snakemake's own locks do not do it: a call drops those of all others when it ends, and they outlive a call that
-was killed. This one is of the operating system and ends with the process that holds it.
+Snakemake's own locks do not do it: a call drops those of all others when it ends, and they outlive a call
+that was killed. This one is of the operating system and ends with the process that holds it.
 """
 
 import fcntl

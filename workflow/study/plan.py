@@ -21,6 +21,7 @@ from study.validation import (
     load_json,
     misshapen,
     pointer,
+    unprintable,
     violations,
     written_at,
 )
@@ -50,6 +51,7 @@ def validated(path, schema_name):
     """The document of a file, or a ValueError that lists every violation of its schema."""
     document = load_json(path)
     found = problems(document, read_json(SCHEMAS / f"{schema_name}.schema.json"))
+    found += [f"{pointer(path)}: {text}" for path, text in unprintable(document)]
     if found:
         raise ValueError(listing(path, found))
     return document

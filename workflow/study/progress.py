@@ -1,8 +1,8 @@
 """How far a call of the pipeline is and how long it will take, in words for people.
 
-Every job has an expected time on one core: of a solver run the work that its case asks for over a rate, of the
-others a typical time. The times seen so far correct both kinds by a factor each, so that a slower machine is
-known after some runs.
+Every job has an expected time on one core: of a solver run the work that its case asks for over a rate, of
+the others a typical time. The times seen so far correct both kinds by a factor each, so that a slower machine
+is known after some runs.
 """
 
 from collections import Counter
@@ -12,12 +12,14 @@ from study.schedule import expected_updates
 
 #: Expected node updates (study.schedule) that one core does in a second, medians of the committed study.
 RATES = {"streamlines": 1.0e8, "stretching": 1.4e7, "phi4": 1.9e8, "phi4_corrected": 1.0e8}
+#: The same of a flow without a cell in single precision, whose criterion is met earlier, too.
+SINGLE_FLOW = 6.8e8
 #: Seconds of a program of Python that reads tables and writes one, and of the jobs that take longer.
 ORDINARY = 2.0
 LONGER = {"build": 300, "build_bending_laws": 15, "boundary_fits": 20, "figure_phase_space": 15}
 LONGER |= {"report": 6, "paper": 12, "animation": 5, "array_lines": 6, "figure_uncertainty": 15}
 LONGER |= {"bracket_start": 0.7, "bracket_narrow": 0.7}
-#: Share of the points of brackets that need a run, until some were seen: a bracket that is done asks for none.
+#: Share of the points of brackets that need a run, until some were seen: one that is done asks for none.
 NEEDED = 0.7
 #: A point of a bracket that took less, in seconds, ran nothing.
 NOTHING = 2.0
@@ -25,13 +27,16 @@ NOTHING = 2.0
 BELIEF = 30.0
 STAGES = {"streamlines": "flows without a cell", "stokes": "flows without a cell"}
 STAGES |= {"sensitivity-flow": "flows without a cell", "stretching": "stretched cells"}
-SOLVER, OTHER = "solver", "other"
+OTHER = "other"  # kind of a job that is no run of the solver; of a run it is the scene
 
 
 def seconds_of_case(case):
     """Expected seconds of a solver run on one core."""
     kind = case["scene"] if case["scene"] in RATES else case.get("coupling", {}).get("kernel")
-    return 0.4 + expected_updates(case) / RATES.get(kind, RATES["phi4"])
+    rate = RATES.get(kind, RATES["phi4"])
+    if kind == "streamlines" and case["fluid"]["precision"] == "single":
+        rate = SINGLE_FLOW
+    return 0.4 + expected_updates(case) / rate
 
 
 def point_in_words(case):
@@ -67,13 +72,14 @@ def described(rule, wildcards, plan, threads=1):
     if rule == "solve" and wildcards["run"] in runs:
         run = runs[wildcards["run"]]
         stage, case = STAGES.get(run["group"], "passages"), run["case"]
-        return Job(stage, point_in_words(case), seconds_of_case(case), SOLVER)
+        return Job(stage, point_in_words(case), seconds_of_case(case), case["scene"])
     if rule in ("bracket_point", "bracket_confirm"):
         bracket = plan["brackets"][wildcards["bracket"]]
         case = bracket["confirm"][wildcards["label"]] if rule == "bracket_confirm" else bracket["case"]
         axis = "critical Ca" if bracket["axis"] == "capillary_number" else "critical d"
         name = f"{axis} of {wildcards['bracket']}"
-        return Job("passages of brackets", name, seconds_of_case(case), SOLVER, wildcards["bracket"])
+        seconds = seconds_of_case(case)
+        return Job("passages of brackets", name, seconds, case["scene"], wildcards["bracket"])
     if rule == "build":
         return Job("solver", "building the solver", LONGER["build"], OTHER, "", None, threads)
     stage = "figures" if rule.startswith("fig") or rule.startswith("anim") else "tables"
@@ -87,14 +93,14 @@ def with_index(plan):
 
 
 def duration(seconds):
-    """A time to go in words, no finer than it is known."""
+    """A time in words, no finer than it is known."""
     minutes = round(seconds / 60)
     if minutes < 1:
         return "less than a minute"
     if minutes < 60:
-        return f"{minutes} min"
+        return f"about {minutes} min"
     hours, rest = divmod(minutes, 60)
-    return f"{hours} h {rest} min" if hours < 10 else f"{hours} h"
+    return f"about {hours} h {rest} min" if hours < 10 else f"about {hours} h"
 
 
 @dataclass
@@ -105,7 +111,7 @@ class Progress:
     cores: int = 1
     done: Counter = field(default_factory=Counter)
     total: Counter = field(default_factory=Counter)
-    seen: dict = field(default_factory=lambda: {SOLVER: [0.0, 0.0], OTHER: [0.0, 0.0]})
+    seen: dict = field(default_factory=dict)  # by kind: expected and actual seconds of the jobs that are done
     points: list = field(default_factory=lambda: [0, 0])  # of brackets: that ran, that are done
 
     def add(self, identity, job):
@@ -131,12 +137,12 @@ class Progress:
             if took < NOTHING:
                 return
             self.points[0] += 1
-        expected, actual = self.seen[job.kind]
+        expected, actual = self.seen.get(job.kind, (0.0, 0.0))
         self.seen[job.kind] = [expected + job.seconds, actual + took]
 
     def factor(self, kind):
         """Times seen over times expected, drawn to 1 while little was seen."""
-        expected, actual = self.seen[kind]
+        expected, actual = self.seen.get(kind, (0.0, 0.0))
         return (actual + BELIEF) / (expected + BELIEF)
 
     def expected(self, job, now):
@@ -153,11 +159,11 @@ class Progress:
         chains, work = Counter(), Counter()
         for job in self.jobs.values():
             seconds = self.expected(job, now)
-            work[job.kind] += seconds
+            work[job.kind == OTHER] += seconds
             if job.chain:
                 chains[job.chain] += seconds
         longest = max(chains.values(), default=0.0)
-        return max(work[SOLVER] / self.cores, longest) + work[OTHER] / self.cores
+        return max(work[False] / self.cores, longest) + work[True] / self.cores
 
     def running(self):
         """Jobs that run, those of the solver first."""
@@ -172,7 +178,7 @@ class Progress:
         names = " and ".join(dict.fromkeys(job.name for job in running))
         words = [f"{stage} {done} of {total}"] + ([f"{names} running"] if names else [])
         left = self.left(now)
-        return ", ".join([*words, f"about {duration(left)} left", f"ends {clock(now + left)}"])
+        return ", ".join([*words, f"{duration(left)} left", f"ends {clock(now + left)}"])
 
     def table(self):
         """The job table of a dry run, a line for each stage, and the estimate."""
@@ -181,15 +187,17 @@ class Progress:
             seconds[job.stage] += self.expected(job, 0.0)
         width = max(map(len, self.total), default=0)
         lines = [
-            f"{stage:{width}}  {self.total[stage]:5} jobs  {duration(seconds[stage]):>18} of one core"
+            f"{stage:{width}}  {self.total[stage]:5} jobs  {duration(seconds[stage]):>20} of one core"
             for stage in self.total
         ]
+        if not lines:
+            return ["no jobs"]
         cores = f"{self.cores} core{'s' * (self.cores > 1)}"
-        return [*lines, f"{sum(self.total.values())} jobs, about {duration(self.left(0.0))} on {cores}"]
+        return [*lines, f"{sum(self.total.values())} jobs, {duration(self.left(0.0))} on {cores}"]
 
 
 def _solver_last(job):
-    return job.kind != SOLVER
+    return job.kind == OTHER
 
 
 #: The call of this process: what the Snakefile plans and the logger plugin tells.

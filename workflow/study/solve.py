@@ -10,7 +10,7 @@ from study.failures import FAILED, status_of
 from study.passages import DECIDED
 from study.plan import run_id
 
-FINISHED = (*DECIDED, "undecided", "diverged")
+FINISHED = (*DECIDED, "undecided", "diverged", "converged")
 ENDED = (*FINISHED, FAILED)
 
 

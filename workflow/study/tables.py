@@ -4,11 +4,22 @@ from pathlib import Path
 
 import pandas as pd
 
+#: What would end a cell of a Markdown table, or be HTML or a link in it, and what shows the same.
+IN_MARKDOWN = {"|": "\\|", "<": "&lt;", "](": "]\\(", "\r": " ", "\n": " "}
+
+
+def in_markdown(cell):
+    """A text that shows itself in a cell of a Markdown table."""
+    text = str(cell)
+    for found, shown in IN_MARKDOWN.items():
+        text = text.replace(found, shown)
+    return text
+
 
 def markdown_table(titles, rows):
-    """The lines of a Markdown table from texts; a bar within a text is escaped."""
+    """The lines of a Markdown table from texts."""
     lines = ["| " + " | ".join(titles) + " |", "|" + "---|" * len(titles)]
-    return lines + ["| " + " | ".join(str(cell).replace("|", "\\|") for cell in row) + " |" for row in rows]
+    return lines + ["| " + " | ".join(map(in_markdown, row)) + " |" for row in rows]
 
 
 def formatted(value, style):

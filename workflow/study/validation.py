@@ -36,6 +36,19 @@ def hint(name, known):
     return f"did you mean '{near[0]}'?" if near else f"allowed are {', '.join(sorted(map(str, known)))}"
 
 
+def unprintable(document, path=()):
+    """(path, text) of every name and text with a control character, which a terminal or a page would obey."""
+    if isinstance(document, dict):
+        for key, value in document.items():
+            yield from unprintable(key, [*path, key.encode("unicode_escape").decode()])
+            yield from unprintable(value, [*path, key])
+    elif isinstance(document, list):
+        for number, value in enumerate(document):
+            yield from unprintable(value, [*path, number])
+    elif isinstance(document, str) and any(ord(letter) < 32 or ord(letter) == 127 for letter in document):
+        yield path, f"{document!r}: control characters are not allowed; leave them out"
+
+
 def pointer(path):
     """The JSON pointer of a place."""
     return "/" + "/".join(map(str, path))

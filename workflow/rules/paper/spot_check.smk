@@ -6,10 +6,13 @@ is no input, and nothing of the study has to be there.
 
     --config sample=20 seed=1               how many, and which
     --config most_node_updates=5e9          only shorter ones (5e9: about two minutes)
+
+In the same way `bash workflow/reproduce claim=d-perp-6.8` makes the runs behind a claim again.
 """
 
 import pandas as pd
 
+from study.claim_runs import runs_of_claim
 from study.spot_check import drawn
 
 SPOT = f"{RESULTS}/spot_check"
@@ -25,10 +28,18 @@ def spot_results(_):
     return expand(f"{SPOT}/{{run}}.json", run=runs)
 
 
+def claim_results(_):
+    """Files of the runs behind the claim of --config claim=ID."""
+    if "claim" not in config:
+        raise ValueError("claim: which one? for example claim=d-perp-6.8")
+    runs = runs_of_claim(pd.read_csv(CLAIM_FILES[0]), config["claim"])
+    return expand(f"{SPOT}/{{run}}.json", run=runs)
+
+
 def committed_row(wildcards):
-    """Text of the row of a run: if another one is committed, the run is compared anew."""
+    """Text of the row of a passage: if another one is committed, the run is compared anew."""
     table = pd.read_csv(COMMITTED_PASSAGES, dtype=str, keep_default_na=False)
-    return ",".join(table[table.run == wildcards.run].iloc[0])
+    return "\n".join(",".join(row) for row in table[table.run == wildcards.run].head(1).to_numpy())
 
 
 rule spot_check:
@@ -41,24 +52,35 @@ rule spot_check:
         "python {input.script} --results {input.results} --output {params.table}"
 
 
+rule claim:
+    input:
+        results=claim_results,
+        script=f"{SCRIPTS}/spot_check.py",
+    params:
+        table=f"{SPOT}/claim.csv",
+    shell:
+        "python {input.script} --what runs --results {input.results} --output {params.table}"
+
+
 rule spot_run:
     input:
         dld=DLD,
         plan=ancient(PLAN_FILE),
         runner=ancient(f"{SCRIPTS}/run_case"),
         script=f"{SCRIPTS}/spot_run.py",
-        code=["workflow/study/spot_check.py", "workflow/study/passages.py"],
+        code=["workflow/study/spot_check.py", "workflow/study/claim_runs.py", "workflow/study/passages.py"],
     output:
         f"{SPOT}/{{run}}.json",
     log:
         f"{LOGS}/spot_check/{{run}}.log",
     params:
         runs=f"{SPOT}/runs",
-        table=COMMITTED_PASSAGES,
+        tables=TABLES,
+        own=RUNS,
         row=committed_row,
     threads: 1
     shell:
         """
-        python {input.script} --plan {input.plan} --table {params.table} --run {wildcards.run} --runs {params.runs} \
-            --dld {input.dld} --runner {input.runner} --output {output} 2> {log}
+        python {input.script} --plan {input.plan} --tables {params.tables} --run {wildcards.run} --runs {params.runs} \
+            --own {params.own} --dld {input.dld} --runner {input.runner} --output {output} 2> {log}
         """
