@@ -16,7 +16,7 @@ def committed(root):
 
 @pytest.fixture(scope="module")
 def plan(root):
-    return load_plan(root / "params/study.json", "paper")
+    return load_plan(root / "params/studies/krueger2014.json", "paper")
 
 
 def test_every_run_behind_every_claim_has_its_case_in_the_study(committed, plan):

@@ -87,7 +87,7 @@ def make_all(folder, call, root):
         "fig10": draw("fig10_extent_capillary", **table, **claims, stretching=folder / "stretching.csv"),
         "maps": draw("fig_return_maps", table=folder / "return_maps.csv"),
         "film": draw("fig_film", **table),
-        "speed": draw("fig_speed", **table, **lines),
+        "speed": draw("fig_speed", **table, **lines, **claims),
     }
 
 
@@ -106,6 +106,7 @@ def test_figures_state_what_the_made_up_cells_were_made_with(tables, call, root)
     assert len(drawn["maps"]) == 27
     speed = drawn["speed"][drawn["speed"].row_shift_um == 4.0].set_index("capillary_number")
     assert set(speed.slowest_row_kilosteps) == {4.0}
+    assert set(speed.relative_speed) == {1.0}  # all cells were made equally fast
     assert speed.distance[0.1] == pytest.approx(0.1 / 0.4 - 1)
     assert drawn["speed"][drawn["speed"].row_shift_um != 4.0].distance.isna().all()
 

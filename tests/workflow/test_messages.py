@@ -62,7 +62,7 @@ def test_words_about_a_case_are_no_part_of_its_identity():
 
 @needs_solver
 def test_nothing_is_said_of_the_cases_that_the_planner_writes(tmp_path):
-    plan = planning.load_plan(ROOT / "params/study.json", "smoke")
+    plan = planning.load_plan(ROOT / "params/studies/krueger2014.json", "smoke")
     path = tmp_path / "case.json"
     for scene in ("streamlines", "stretching", "passage"):
         run = next(run for run in plan["runs"] if run["case"]["scene"] == scene)

@@ -51,28 +51,29 @@ def drawn(tmp_path, call, root):
     return pd.read_csv(files["csv"])
 
 
-def test_a_panel_has_the_cells_and_the_boundary_of_its_kernel_beside_the_printed_one(drawn):
-    kinds = drawn.groupby(["panel", "kind"]).series.unique().map(sorted).to_dict()
+def test_the_figure_has_both_boundaries_and_the_printed_classes(drawn):
+    kinds = drawn.groupby("kind").series.unique().map(sorted).to_dict()
     assert kinds == {
-        ("default", "cell"): ["grid"],
-        ("default", "bracket"): ["default"],
-        ("default", "fit"): ["default", "hinge_sheet"],
-        ("default", "middle"): ["hinge_sphere"],
-        ("default", "paper"): ["Eq. (5)"],
-        ("corrected", "cell"): ["corrected"],
-        ("corrected", "bracket"): ["corrected"],
-        ("corrected", "fit"): ["corrected"],
-        ("corrected", "paper"): ["Eq. (5)"],
+        "cell": ["grid"],
+        "bracket": ["default"],
+        "fit": ["corrected", "default", "hinge_sheet"],
+        "middle": ["hinge_sphere"],
+        "paper": ["Eq. (5)", "text"],
     }
     assert drawn.capillary_number.max() == 1.6  # as far as the paper's diagram
     paper = drawn[drawn.kind == "paper"].iloc[0]
     assert (paper.capillary_number, paper.d_um) == (0, 8.3)
+    text = drawn[drawn.series == "text"].set_index("row_shift_um")[UNDISPUTED]
+    assert text.loc[6.8].tolist() == [0.15, 0.3]
+    cells = drawn[drawn.kind == "cell"].set_index(["row_shift_um", "capillary_number"]).printed_class
+    assert cells[(6.8, 0.1)] == "displaced" and cells[(6.8, 0.5)] == "zigzag"
+    assert cells[(7.2, 0.5)] != cells[(7.2, 0.5)]  # the text is silent on this row shift
 
 
 def test_the_band_holds_the_fit_and_is_drawn_of_our_boundary_alone(drawn):
-    ours = drawn[(drawn.kind == "fit") & (drawn.series == drawn.panel)]
+    ours = drawn[(drawn.kind == "fit") & (drawn.series == "default")]
     assert ((ours.d_low_um < ours.d_um + 0.02) & (ours.d_um < ours.d_high_um + 0.02)).all()
-    others = drawn[(drawn.kind == "fit") & (drawn.series != drawn.panel)]
+    others = drawn[(drawn.kind == "fit") & (drawn.series != "default")]
     assert others.d_low_um.isna().all()
 
 

@@ -7,7 +7,7 @@ from study.progress import BELIEF, NEEDED, Job, Progress, described, duration, w
 
 @pytest.fixture(scope="module")
 def plan():
-    return with_index(planning.load_plan(planning.ROOT / "params/study.json", "quick"))
+    return with_index(planning.load_plan(planning.ROOT / "params/studies/krueger2014.json", "quick"))
 
 
 def solver_jobs(*seconds, chain=""):

@@ -122,13 +122,18 @@ def test_tables(tables):
 def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call):
     def make(folder):
         folder.mkdir()
-        for script, name in (("stability_figure", "stability"), ("stability_long_run_figure", "long_run")):
-            files = {"table": tables[name], "csv": folder / f"{name}.csv", "output": folder / f"{name}.pdf"}
-            call(script, plan=results / "plan.json", **files)
+        figures = [
+            ("stability_figure", "stability", {"maps": "user"}),
+            ("stability_figure", "stability", {"maps": "all"}),
+        ]
+        for script, name, more in [*figures, ("stability_long_run_figure", "long_run", {})]:
+            place = folder / "_".join([name, *more.values()])
+            files = {"csv": place.with_suffix(".csv"), "output": place.with_suffix(".pdf")}
+            call(script, plan=results / "plan.json", table=tables[name], **files, **more)
         return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
 
     first = make(results / "stability-figures")
-    assert len(first) == 6
+    assert len(first) == 9
     if "smoke" in results.name:
         assert make(results / "stability-figures-again") == first
 

@@ -1,6 +1,6 @@
-"""The class of every passage against what is known without it: the transverse diameter of the tweezer at
-Ca_tw = Ca against D_cr = 2 s (displaced if larger), with our s and with the paper's Eq. (4); and against two
-rules that need the passage: D_perp against 2 s, and the centre at the gap line against s.
+"""The class of every passage against what is known without it: the transverse diameter of the tweezer
+at Ca_tw = Ca against D_cr = 2 s (displaced if larger), with our s and with the paper's Eq. (4); and
+against two rules that need the passage: D_perp against 2 s, and the centre at the gap line against s.
 
 The summary gives for each rule how often it is right and the fluid work behind it.
 """

@@ -1,11 +1,12 @@
-"""Figure 9: lateral extent D_perp against the row shift, with the laws of separation D_cr = A eps^B and the
-factor on them that separates displaced from zigzag best, computed from the cells themselves."""
+"""Figure 9: lateral extent D_perp against the row shift with the printed law Eq. (4), its printed
+multiple and the multiple that separates displaced from zigzag best. The table of factors beside it has
+the same for the law fitted here, and how many cells each leaves on the wrong side."""
 
 import numpy as np
 from study import style
 from study.arguments import figure_arguments
 from study.claims import load_claims
-from study.extent import draw_classes, law_of, note_missing, of_sweep
+from study.extent import GREY, draw_classes, law_of, note_missing, of_sweep
 from study.fits import power_law
 from study.passages import DECIDED
 from study.plan import read_json
@@ -14,7 +15,6 @@ from study.tables import read_table, write_table
 PITCH = 32.0  # um
 POINTS = ["row_shift_um", "epsilon", "capillary_number", "class", "d_perp_um", "run"]
 FACTORS = ["law", "A_um", "B", "factor", "which", "factor_low", "factor_high", "misclassified", "cells"]
-NAMES = {"fitted": ("fitted here", style.BLACK), "printed": ("Eq. (4) as printed", style.GREEN)}
 
 
 def misclassified(ratio, displaced, factor):
@@ -52,21 +52,20 @@ def factor_rows(rows, laws, printed_factor):
             yield row | {"misclassified": misclassified(ratio, displaced, best)}
 
 
-def draw(axes, rows, factors, printed_factor):
-    """Cells and curves; the legend states how many cells every curve has on its wrong side."""
+def draw(axes, rows, printed, factor, factors):
+    """Cells, the printed law and its printed multiple, and the multiple that separates best."""
     draw_classes(axes, rows, "row_shift_um", "d_perp_um")
-    shifts = np.linspace(1.7, 9.2, 100)
-    lines = {"one": "-", "printed": (0, (6, 2)), "best": ":"}
-    for row in factors:
-        name, colour = NAMES[row["law"]]
-        text = "" if row["which"] == "one" else rf"{row['factor']:.3g} $\times$ "
-        text += rf"{row['A_um']:.1f} μm $\epsilon^{{{row['B']:.2f}}}$, {name}" if not text else name
-        text += (
-            f" ({'best; ' if row['which'] == 'best' else ''}{row['misclassified']} of {row['cells']} wrong)"
-        )
-        curve = row["factor"] * power_law(shifts / PITCH, row["A_um"], row["B"])
-        axes.plot(shifts, curve, ls=lines[row["which"]], color=colour, lw=1, label=text)
-    axes.set(xlabel=r"row shift $d$ / μm", ylabel=r"lateral extent $D_\perp$ / μm", xlim=(1.6, 9.3))
+    shifts = np.linspace(1.6, 9.2, 100)
+    law = power_law(shifts / PITCH, *printed)
+    axes.plot(shifts, law, color=style.BLACK, lw=1.4, label="paper, Eq. (4)")
+    label = rf"paper, {factor:g} $\times$ Eq. (4)"
+    axes.plot(shifts, factor * law, color=style.BLACK, lw=1.4, ls=(0, (5, 2)), label=label)
+    best = [row for row in factors if row["law"] == "printed" and row["which"] == "best"]
+    for row in best:
+        label = rf"best here, {row['factor']:.3g} $\times$ Eq. (4)"
+        axes.plot(shifts, row["factor"] * law, color=GREY, lw=0.8, ls=(0, (1, 1)), label=label)
+    axes.set(xlabel=r"row shift $d$ / μm", ylabel=r"lateral extent $D_\perp$ / μm", xlim=(1.6, 9.2))
+    axes.set_ylim(0, 8)
     note_missing(axes, rows, "d_perp_um")
 
 
@@ -82,10 +81,10 @@ def main():
     styles = {"row_shift_um": ".1f", "epsilon": ".4f", "capillary_number": ".4g", "d_perp_um": ".3f"}
     write_table(rows.to_dict("records"), POINTS, arguments.csv, POINTS[:3], styles)
     write_table(factors, FACTORS, arguments.factors, styles=dict.fromkeys(FACTORS[1:7], ".4f"))
-    figure = style.new_figure(style.PAGE, 3.6)
+    figure = style.new_figure(style.COLUMN, 3.3)
     axes = figure.add_subplot()
-    draw(axes, rows, factors, printed_factor)
-    figure.legend(*axes.get_legend_handles_labels(), loc="outside right center", fontsize=7)
+    draw(axes, rows, laws["printed"], printed_factor, factors)
+    style.legend_below(figure, 2, fontsize=7)
     style.save(figure, arguments.output, plan["note"])
 
 

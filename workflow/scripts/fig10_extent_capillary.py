@@ -1,5 +1,6 @@
-"""Figure 10: lateral extent D_perp against the capillary number, filled where the paper finds one curve for
-all row shifts, with the transverse diameter of the optical tweezer at Ca_tw = (2 F / A) r / kS = Ca."""
+"""Figure 10: lateral extent D_perp against the capillary number, filled where the paper finds one curve
+for all row shifts, with the four extents that it prints (Fig. 8) and the transverse diameter of the
+optical tweezer at Ca_tw = (2 F / A) r / kS = Ca."""
 
 import numpy as np
 from study import style
@@ -33,7 +34,8 @@ def main():
     arguments = figure_arguments(__doc__, "table", "stretching", "claims")
     plan, curve = read_json(arguments.plan), TweezerCurve(read_table(arguments.stretching))
     rows = of_sweep(read_table(arguments.table), plan)
-    low, high = load_claims(arguments.claims)["collapse"]["value"]
+    claims = load_claims(arguments.claims)
+    low, high = claims["collapse"]["value"]
     rows = rows.assign(in_window=rows.row_shift_um.between(low - 1e-6, high + 1e-6))
     denominators = plan["figures"]["tweezer_denominators"]
     cell = rows.skalak_denominator.iloc[0] if len(rows) else max(denominators)
@@ -42,15 +44,18 @@ def main():
         rows[name] = [curve.diameter(number, denominator) for number in rows.capillary_number]
     styles = dict.fromkeys(["d_perp_um", *names], ".3f") | {"row_shift_um": ".1f", "capillary_number": ".4g"}
     write_table(rows.to_dict("records"), COLUMNS + names, arguments.csv, COLUMNS[:2], styles)
-    figure = style.new_figure(4.6, 3.4)
+    figure = style.new_figure(style.COLUMN, 3.5)
     axes = figure.add_subplot()
     draw_classes(axes, rows, "capillary_number", "d_perp_um", rows.in_window)
-    axes.plot([], [], "o", color=GREY, label=rf"filled: $d$ from {low:g} to {high:g} μm")
-    axes.plot([], [], "o", color=GREY, mfc="none", label="open: other row shifts")
+    axes.plot([], [], "o", color=GREY, mfc="none", label=rf"open: not {low:g} ... {high:g} μm")
     draw_tweezer(axes, curve, denominators, cell)
+    printed = {float(number): extent for number, extent in claims["d-perp-6.8"]["value"].items()}
+    look = {"color": style.BLACK, "ms": 7, "mew": 1.4, "ls": "", "zorder": 5}
+    axes.plot(printed.keys(), printed.values(), "x", label="paper, Fig. 8", **look)
     capillary_axis(axes, rows.capillary_number)
     axes.set_ylabel(r"lateral extent $D_\perp$ / μm")
-    axes.legend(loc="best", fontsize=7)
+    axes.set_ylim(3, 8)
+    style.legend_below(figure, 2, fontsize=7)
     note_missing(axes, rows, "d_perp_um")
     style.save(figure, arguments.output, plan["note"])
 

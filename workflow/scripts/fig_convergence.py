@@ -1,7 +1,9 @@
-"""D_perp, centre at the gap line and film of the passages of the accuracy study against the lattice spacing,
-of every coupling that was run on two lattices or more. Couplings that are right meet at dx = 0. Open markers
-have another class than the corrected coupling on the finest lattice: their D_perp is of another crossing.
-"""
+"""D_perp and film of the passages of the accuracy study against the lattice spacing: couplings that are
+right meet at dx = 0. The plain and the corrected kernel decide, others are thin and grey; the CSV has
+the centre at the gap line as well. Open markers have another class than the corrected coupling on the
+finest lattice: their D_perp is of another crossing."""
+
+import re
 
 from study import style
 from study.accuracy import passage_ladders
@@ -12,19 +14,15 @@ from study.tables import read_table, write_table
 
 COLUMNS = ["point", "error_kind", "method", "spacing", "value", "class"]
 STYLES = {"spacing": ".4f", "value": ".4f"}
-#: What the legend calls a coupling, and its colour and marker; others are drawn in grey.
+#: What the legend calls a coupling, and its colour, marker and width; others are drawn in grey.
 LOOKS = {
-    "phi4": ("plain kernel", style.GREEN, "^"),
-    "phi4_corrected": ("corrected, central linear walls", style.BLUE, "o"),
-    "phi4_corrected, finer mesh": ("corrected, edges of 0.7 dx", style.SKY, "D"),
-    "phi4_corrected, interpolated walls": ("corrected, interpolated walls", style.VERMILION, "s"),
-    "retraction 0.5": ("plain kernel, retraction 0.5", style.ORANGE, "v"),
+    "phi4": ("plain kernel", style.GREEN, "^", 1.4),
+    "phi4_corrected": ("corrected kernel", style.BLUE, "o", 1.4),
+    "phi4_corrected, finer mesh": ("corrected, edges of 0.7 dx", "#999999", "D", 0.7),
+    "phi4_corrected, interpolated walls": ("corrected, interpolated walls", "#999999", "s", 0.7),
 }
-NAMES = {
-    "D_perp": r"lateral extent $D_\perp$ / μm",
-    "centre": "centre at the gap line / μm",
-    "film": "film / μm",
-}
+#: The lengths drawn.
+NAMES = {"D_perp": r"$D_\perp$ / μm", "film": "film / μm"}
 
 
 def ladders(arguments):
@@ -42,10 +40,10 @@ def ladders(arguments):
 def draw(axes, rows, expected):
     """One panel: one length at one point. Open markers: another class than expected."""
     for method, part in rows.groupby("method"):
-        label, colour, marker = LOOKS.get(method, (method, "#777777", "x"))
-        axes.plot(part.spacing, part.value, color=colour, lw=0.9, marker=marker, label=label)
+        label, colour, marker, width = LOOKS.get(method, (method, "#BBBBBB", "x", 0.7))
+        axes.plot(part.spacing, part.value, color=colour, lw=width, marker=marker, ms=3.5, label=label)
         other = part[part["class"] != expected]
-        axes.plot(other.spacing, other.value, marker, color=colour, mfc="white")
+        axes.plot(other.spacing, other.value, marker, color=colour, mfc="white", ms=3.5)
     axes.set_xlim(0, 1.06 * rows.spacing.max())
 
 
@@ -53,8 +51,9 @@ def main():
     arguments = figure_arguments(__doc__, "table", "runs")
     rows = ladders(arguments)
     write_table(rows.to_dict("records"), COLUMNS, arguments.csv, COLUMNS[:4], STYLES)
-    points, kinds = list(dict.fromkeys(rows.point)), list(dict.fromkeys(rows.error_kind))
-    figure = style.new_figure(style.PAGE, 0.8 + 1.9 * max(1, len(kinds)))
+    points = list(dict.fromkeys(rows.point))
+    kinds = [kind for kind in dict.fromkeys(rows.error_kind) if kind.partition(",")[0] in NAMES]
+    figure = style.new_figure(style.PAGE, 0.8 + 1.5 * max(1, len(kinds)))
     if len(rows):
         grid = figure.subplots(len(kinds), len(points), squeeze=False, sharex=True)
         for line, kind in zip(grid, kinds, strict=True):
@@ -64,12 +63,12 @@ def main():
                 expected = best["class"].iloc[0] if len(best) else ""
                 draw(axes, part, expected)
                 if kind == kinds[0]:
-                    axes.set_title(f"{point}, {expected}", loc="left")
-            name = kind.partition(",")[0]
-            line[0].set_ylabel(NAMES.get(name, name))
+                    place = re.sub(r"\bum\b", "μm", point.replace("d =", "$d$ ="))
+                    axes.set_title(f"{place}, {expected}", loc="left")
+            line[0].set_ylabel(NAMES[kind.partition(",")[0]])
         for axes in grid[-1]:
             axes.set_xlabel(r"lattice spacing $\Delta x$ / μm")
-        style.legend_below(figure, ncols=3)
+        style.legend_below(figure, ncols=4)
     style.save(figure, arguments.output, read_json(arguments.plan)["note"])
 
 

@@ -1,9 +1,9 @@
-"""Thickness of the liquid film between cell and pillar at the defining crossing against Ca,
-a line for every row shift, the class as marker."""
+"""Thickness of the liquid film between cell and pillar at the defining crossing against Ca: displaced
+cells, a line for every row shift, over the lattice spacing, below which it is not resolved."""
 
 from study import style
 from study.arguments import figure_arguments
-from study.extent import GREY, MARKERS, capillary_axis, note_missing, of_sweep, shade
+from study.extent import capillary_axis, note_missing, of_sweep, shade
 from study.plan import read_json
 from study.tables import read_table, write_table
 
@@ -11,21 +11,27 @@ COLUMNS = ["row_shift_um", "capillary_number", "class", "dx_um", "film_um", "run
 
 
 def draw(axes, rows):
-    """One line for every row shift; films thinner than a lattice spacing are shaded."""
-    shifts = sorted(rows.row_shift_um.unique())
+    """Displaced cells, a line for every row shift; the others pale. Films thinner than a lattice spacing are
+    shaded."""
+    known = rows[rows.film_um.notna()]
+    shifts = sorted(known[known["class"] == "displaced"].row_shift_um.unique())
     for k, shift in enumerate(shifts):
-        line = rows[(rows.row_shift_um == shift) & rows.film_um.notna()].sort_values("capillary_number")
-        colour = shade(k, len(shifts))
-        axes.plot(line.capillary_number, line.film_um, lw=0.8, color=colour, label=rf"$d$ = {shift:.1f} μm")
-        for name, points in line.groupby("class"):
-            look = {"ms": 3.5, "mew": 0.8, "mfc": colour if name == "displaced" else "white", "color": colour}
-            axes.plot(points.capillary_number, points.film_um, MARKERS[name], ls="", **look)
-    for name in sorted(rows[rows.film_um.notna()]["class"].unique()):
-        look = {"ms": 3.5, "color": GREY, "mfc": GREY if name == "displaced" else "white"}
-        axes.plot([], [], MARKERS[name], ls="", label=style.CLASSES[name][1], **look)
+        line = known[(known.row_shift_um == shift) & (known["class"] == "displaced")]
+        line = line.sort_values("capillary_number")
+        label = (
+            rf"$d$ = {shift:.1f} μm" if shift in (shifts[0], shifts[len(shifts) // 2], shifts[-1]) else None
+        )
+        look = {"lw": 0.9, "ms": 3.2, "color": shade(k, len(shifts))}
+        axes.plot(line.capillary_number, line.film_um, "o-", label=label, **look)
+    others = known[known["class"] != "displaced"]
+    axes.plot(
+        others.capillary_number, others.film_um, "^", ms=3, mew=0.6, mfc="none", color="#AAAAAA", zorder=1
+    )
+    axes.plot([], [], "^", ms=3, mew=0.6, mfc="none", color="#AAAAAA", label="not displaced")
     if len(rows):
         spacing = rows.dx_um.iloc[0]
-        axes.axhspan(0, spacing, color=style.PILLAR, alpha=0.35, lw=0, label="below one lattice spacing")
+        label = "thinner than a lattice spacing"
+        axes.axhspan(0, spacing, color=style.PILLAR, alpha=0.35, lw=0, label=label, zorder=0)
     capillary_axis(axes, rows.capillary_number)
     axes.set(ylabel="film between cell and pillar / μm")
     axes.set_ylim(bottom=0)
@@ -38,10 +44,9 @@ def main():
     rows = of_sweep(read_table(arguments.table), plan)
     styles = {"row_shift_um": ".1f", "capillary_number": ".4g", "dx_um": ".4f", "film_um": ".3f"}
     write_table(rows.to_dict("records"), COLUMNS, arguments.csv, COLUMNS[:2], styles)
-    figure = style.new_figure(5.2, 3.4)
-    axes = figure.add_subplot()
-    draw(axes, rows)
-    figure.legend(loc="outside right center", fontsize=7)
+    figure = style.new_figure(style.COLUMN, 3.2)
+    draw(figure.add_subplot(), rows)
+    style.legend_below(figure, 2, fontsize=7)
     style.save(figure, arguments.output, plan["note"])
 
 

@@ -1,5 +1,5 @@
-"""Drawing of the words: (a) the array with its lengths, a displaced and a zigzag path; (b) a cell in the gap
-with the lengths that decide its class. Paths and outline are sketches, not results."""
+"""Drawing of the words: (a) the array with its lengths, a displaced and a zigzag path; (b) a cell in
+the gap with the lengths that decide its class. Paths and outline are sketches, not results."""
 
 import numpy as np
 from matplotlib.patches import Ellipse

@@ -1,8 +1,7 @@
-"""Tornado of the sensitivity study: the ten choices that change D_perp most at the points of Fig. 8, the
-critical capillary number, and s. A cross marks another class than by default, a triangle the open end of a
-bracket of the critical capillary number, whose change is at least that large. Whiskers span the bracket,
-that of the default settings not included.
-"""
+"""Tornado of the sensitivity study: the choices (ten; of s three) that change D_perp most at the points
+of Fig. 8, the critical capillary number, and s. A cross marks another class than by default, a triangle
+the open end of a bracket of the critical capillary number, whose change is at least that large.
+Whiskers span the bracket, that of the default settings not included."""
 
 import numpy as np
 from study import style
@@ -22,7 +21,7 @@ PANELS = {
 COLOURS = [style.BLUE, style.ORANGE, style.GREEN, style.PURPLE, style.SKY, style.VERMILION]
 LEGEND = {"fontsize": 7, "handlelength": 1, "columnspacing": 0.8, "handletextpad": 0.4, "borderpad": 0}
 BAR = 0.8  # share of the height of a row that its bars fill
-SHOWN = 10  # choices of a panel
+SHOWN = {"d_perp": 10, "critical_ca": 10, "s": 3}  # choices of a panel
 
 
 def changes(table):
@@ -72,8 +71,8 @@ def draw_panel(axes, rows, kind, letter):
     """The tornado of one kind of observable."""
     rows = rows.assign(bar=rows.change.fillna(rows.at_least)).dropna(subset="bar")
     sizes = rows.bar.abs().groupby(rows.words).max().reset_index().sort_values(["bar", "words"])
-    names = sizes.words.tolist()[-SHOWN:]
-    title = f"({letter}) {len(names)} of {len(sizes)} choices, the largest change on top"
+    names = sizes.words.tolist()[-SHOWN[kind] :]
+    title = f"({letter}) the {len(names)} largest of {len(sizes)}"
     axes.set_title(title, loc="right", pad=14)
     axes.set_xlabel(PANELS[kind])
     if rows.empty:
@@ -102,8 +101,8 @@ def main():
     styles |= {"row_shift_um": ".1f", "capillary_number": ".4g"}
     write_table(rows.to_dict("records"), COLUMNS, arguments.csv, COLUMNS[:3], styles)
     kinds = rows.observable.astype(str).str.split("(").str[0]
-    figure = style.new_figure(style.PAGE, 5.0)
-    panels = figure.subplot_mosaic([["d_perp", "critical_ca"], ["d_perp", "s"]], height_ratios=[1.4, 1])
+    figure = style.new_figure(style.PAGE, 4.6)
+    panels = figure.subplot_mosaic([["d_perp", "critical_ca"], ["d_perp", "s"]], height_ratios=[2.6, 1])
     for (kind, axes), letter in zip(panels.items(), "abc", strict=True):
         draw_panel(axes, rows[kinds == kind], kind, letter)
     style.save(figure, arguments.output, plan["note"])

@@ -1,18 +1,13 @@
-"""Slowing near the boundary: (a) mean speed of the cells against Ca; (b) time of the slowest
-row of the passage against the distance from the critical capillary number Ca_c, the middle of the bracket.
-The cell lingers at a stagnation point of the gap, so that this time grows as -ln |Ca / Ca_c - 1|."""
+"""Slowing near the boundary: mean speed of the cells against Ca over the critical Ca of their row
+shift, with the printed ratio (a cell of Ca = 0.3 at d = 6.0 um). The time of the slowest row is in the
+CSV: the cell lingers at a stagnation point of the gap, so that it grows as -ln |Ca / Ca_c - 1|."""
 
 import numpy as np
 from study import style
 from study.arguments import figure_arguments
-from study.extent import (
-    GREY,
-    MARKERS,
-    capillary_axis,
-    draw_classes,
-    panel_note,
-    shade,
-)
+from study.boundary import PARAMETERS, critical_capillary_number
+from study.claims import load_claims
+from study.extent import GREY, MARKERS, panel_note, shade
 from study.passages import DECIDED
 from study.plan import read_json
 from study.tables import read_table, write_table
@@ -25,9 +20,9 @@ COLUMNS = [
     "speed_um_per_kilostep",
     "slowest_row_kilosteps",
 ]
-COLUMNS += ["critical_capillary_number", "half_width", "distance", "run"]
+COLUMNS += ["critical_capillary_number", "half_width", "distance", "relative_speed", "run"]
+SHIFT, STIFF, SLOW = 6.0, 0.1, 0.3  # row shift (um) and the capillary numbers of the printed ratio of speeds
 SERIES = "default"  # of the brackets with the settings of the sweep
-LEGEND = {"fontsize": 6.5, "handlelength": 1.2, "columnspacing": 0.8, "handletextpad": 0.4}
 
 
 def slowest_rows(crossings):
@@ -59,66 +54,60 @@ def cells(passages, crossings, boundary, plan):
     )
 
 
-def draw_lines(axes, rows):
-    """Panel (a): a line for every row shift with its number at the right end; close numbers move apart."""
-    speeds = rows.dropna(subset=["speed_um_per_kilostep"]).sort_values("capillary_number")
-    ends = speeds.groupby("row_shift_um").tail(1).sort_values("speed_um_per_kilostep")
-    gap, height = 0.035 * np.ptp(speeds.speed_um_per_kilostep.to_numpy()) if len(speeds) else 0, -np.inf
-    for end in ends.itertuples():
-        line = speeds[speeds.row_shift_um == end.row_shift_um]
-        axes.plot(line.capillary_number, line.speed_um_per_kilostep, color=GREY, lw=0.5, zorder=1)
-        height = max(end.speed_um_per_kilostep, height + gap)
-        place = {"textcoords": "offset points", "fontsize": 6, "color": GREY}
-        axes.annotate(f"{end.row_shift_um:.1f}", (end.capillary_number, height), (5, -2), **place)
-    if len(ends):
-        axes.annotate("$d$ / μm", (end.capillary_number, height + 2 * gap), (0, -2), **place)
+def relative_speed(rows):
+    """Mean speed over that of the stiff cell with which the paper compares, at the same row shift."""
+    stiff = rows[np.isclose(rows.capillary_number.astype(float), STIFF)]
+    return rows.speed_um_per_kilostep / rows.row_shift_um.map(
+        stiff.groupby("row_shift_um").speed_um_per_kilostep.first()
+    )
 
 
-def draw_slowing(axes, rows):
-    """Panel (b): a straight line is logarithmic slowing."""
-    shown = rows[rows.distance.notna() & rows.slowest_row_kilosteps.notna()]
-    shown = shown[(shown.distance != 0) & shown["class"].isin(DECIDED)]
+def draw(axes, rows, printed):
+    """A line for every row shift with a known critical capillary number, and the printed ratio."""
+    shown = rows[rows.critical_capillary_number.notna() & rows.relative_speed.notna()]
+    shown = shown[shown["class"].isin(DECIDED)]
     shifts = sorted(shown.row_shift_um.unique())
     for k, shift in enumerate(shifts):
-        colour = shade(k, len(shifts))
-        width = 100 * shown[shown.row_shift_um == shift].half_width.iloc[0]
-        axes.plot([], [], color=colour, label=rf"$d$ = {shift:.1f} μm, $\mathrm{{Ca}}_c$ ± {width:.0f} %")
-        for (_, name), side in shown[shown.row_shift_um == shift].groupby([shown.distance > 0, "class"]):
-            side = side.assign(distance=side.distance.abs()).sort_values("distance")
-            look = {"ms": 3.5, "lw": 0.6, "mfc": colour if name == "displaced" else "white", "color": colour}
-            axes.plot(side.distance, side.slowest_row_kilosteps, marker=MARKERS[name], **look)
-    axes.set(xlabel=r"$|\mathrm{Ca}/\mathrm{Ca}_c - 1|$", ylabel="slowest row / 1000 steps")
+        line = shown[shown.row_shift_um == shift].sort_values("capillary_number")
+        colour, places = shade(k, len(shifts)), line.capillary_number / line.critical_capillary_number
+        axes.plot(places, line.relative_speed, color=colour, lw=0.9, label=rf"$d$ = {shift:.1f} μm")
+        for name, part in line.groupby("class"):
+            look = {"ms": 3.2, "mew": 0.8, "mfc": colour if name == "displaced" else "white", "color": colour}
+            at = part.capillary_number / part.critical_capillary_number
+            axes.plot(at, part.relative_speed, MARKERS[name], ls="", zorder=3, **look)
     for name in sorted(shown["class"].unique()):
         look = {"ms": 3.5, "mfc": GREY if name == "displaced" else "white", "color": GREY}
         axes.plot([], [], MARKERS[name], ls="", label=name, **look)
-    if len(shown):
-        axes.set_xscale("log")
-        axes.legend(loc="lower left", bbox_to_anchor=(0.07, 1.0), ncols=2, **LEGEND)
-    else:
+    if shown.empty:
         axes.set(xticks=[], yticks=[])
         panel_note(axes, "no two-sided bracket of the boundary")
+        return
+    place = SLOW / critical_capillary_number(SHIFT, printed["law"])
+    look = {"ms": 7, "mew": 1.4, "color": style.BLACK, "zorder": 5}
+    axes.plot(place, printed["ratio"], "x", ls="", label=f"paper, $d$ = {SHIFT:.1f} μm", **look)
+    axes.axvline(1, color=style.BLACK, lw=0.7)
+    axes.set_xscale("log")
+    ticks = [0.2, 0.5, 1, 2, 5, 10, 20]
+    axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+    axes.set_xticks([], minor=True)
+    axes.set(
+        xlabel=r"Ca over the critical Ca of the row shift", ylabel=f"mean speed over that at Ca = {STIFF:g}"
+    )
+    axes.set_ylim(bottom=0)
 
 
 def main():
-    arguments = figure_arguments(__doc__, "table", "crossings", "boundary")
-    plan = read_json(arguments.plan)
+    arguments = figure_arguments(__doc__, "table", "crossings", "boundary", "claims")
+    plan, claims = read_json(arguments.plan), load_claims(arguments.claims)
     tables = (read_table(path) for path in (arguments.table, arguments.crossings, arguments.boundary))
     rows = cells(*tables, plan)
-    styles = {"row_shift_um": ".1f", "capillary_number": ".4g"} | dict.fromkeys(COLUMNS[4:9], ".4f")
+    rows = rows.assign(relative_speed=relative_speed(rows))
+    styles = {"row_shift_um": ".1f", "capillary_number": ".4g"} | dict.fromkeys(COLUMNS[4:10], ".4f")
     write_table(rows.to_dict("records"), COLUMNS, arguments.csv, COLUMNS[:3], styles)
-    figure = style.new_figure(style.PAGE, 3.3)
-    left, right = figure.subplots(1, 2)
-    draw_lines(left, rows)
-    draw_classes(left, rows, "capillary_number", "speed_um_per_kilostep")
-    capillary_axis(left, rows.capillary_number)
-    left.set(ylabel="mean speed / (μm / 1000 steps)")
-    if len(rows):
-        left.legend(loc="lower left", bbox_to_anchor=(0.07, 1.0), ncols=5, **LEGEND)
-    else:
-        panel_note(left, "no data")
-    draw_slowing(right, rows)
-    style.panel_label(left, "a")
-    style.panel_label(right, "b")
+    figure = style.new_figure(style.COLUMN, 3.5)
+    law = [claims["phase-boundary"]["value"][name] for name in PARAMETERS]
+    draw(figure.add_subplot(), rows, {"law": law, "ratio": claims["slow-near-boundary"]["value"]})
+    style.legend_below(figure, 3, fontsize=7, handlelength=1.4, columnspacing=1.0)
     style.save(figure, arguments.output, plan["note"])
 
 

@@ -1,4 +1,5 @@
-"""The report of a tier: one HTML file with verdicts, phase space, figures, tables and origin of the runs."""
+"""The report of a tier: one HTML file with verdicts, phase space, figures, tables and origin of the
+runs."""
 
 import tomllib
 from collections import Counter

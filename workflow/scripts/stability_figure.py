@@ -1,4 +1,5 @@
-"""Stability maps: works, inaccurate or fails in planes of two parameters, and the limit stated beforehand."""
+"""Stability maps: works, inaccurate or fails in planes of two parameters, and the limit stated
+beforehand."""
 
 import numpy as np
 from matplotlib.colors import ListedColormap
@@ -39,6 +40,41 @@ TITLES = {
     "bending-viscosity": "bending, viscosity",
 }  # other maps: their name
 COLUMNS = 4
+#: The maps that a user meets, in the order in which they are drawn, and what they ask.
+USER = {
+    "stiffness-phi4": "How fast may the flow be? (plain kernel)",
+    "stiffness-corrected": "How fast may the flow be? (corrected)",
+    "mesh": "Which mesh for which cell?",
+    "bending": "How stiff against bending?",
+}
+EDGE_UM = 4.0  # um, mean edge of the mesh times its frequency
+SHEAR_MODULUS, CELL_RADIUS = 5.3e-6, 3.9e-6  # N/m, m: a healthy cell
+PHYSICAL_NAMES = {
+    "/fluid/force_density": "Reynolds number",
+    "/cell/mesh_frequency": "edge of the mesh / μm",
+    "/cell/bending_ratio": r"$\kappa_\mathrm{B}$ of a healthy cell / $10^{-19}$ J",
+    "/cell/capillary_number": "capillary number Ca",
+}
+
+
+def reynolds(force, case):
+    """Reynolds number u G / nu of the slit flow u = f H^2 / (12 nu) that a force density drives."""
+    fluid, geometry = case["fluid"], case["geometry"]
+    dx, viscosity = fluid["lattice_spacing_um"], (fluid["relaxation_time"] - 0.5) / 3
+    depth, gap = geometry["depth_um"] / dx, (geometry["pitch_um"] - 2 * geometry["pillar_radius_um"]) / dx
+    return force * depth**2 * gap / (12 * viscosity**2)
+
+
+def physical(values, key, case):
+    """The values of an axis in physical numbers."""
+    values = np.asarray(values, float)
+    if key == "/fluid/force_density":
+        return reynolds(values, case)
+    if key == "/cell/mesh_frequency":
+        return EDGE_UM / values
+    if key == "/cell/bending_ratio":
+        return values * SHEAR_MODULUS * CELL_RADIUS**2 * 1e19
+    return values
 
 
 def edges(values):
@@ -78,7 +114,7 @@ def apart(places, beside):
 
 def label(value):
     """Text of a tick."""
-    return f"{value:.3g}"
+    return f"{value:.2g}"
 
 
 def grid(frame, column, xs, ys):
@@ -95,11 +131,17 @@ def numbers(values):
         return sorted(set(values))
 
 
-def draw(axes, frame):
-    """One map."""
+def draw(axes, frame, case=None):
+    """One map; in physical numbers where the case that it was made with is given."""
     xs, ys = numbers(frame.x), numbers(frame.y)
     frame = frame.assign(x=[type(xs[0])(v) for v in frame.x], y=[type(ys[0])(v) for v in frame.y])
     (px, x_words), (py, y_words) = axis_of(xs, frame.x_name.iloc[0]), axis_of(ys, frame.y_name.iloc[0])
+    names = NAMES
+    if case:
+        px, py = (
+            physical(places, frame[key].iloc[0], case) for places, key in ((px, "x_name"), (py, "y_name"))
+        )
+        names = PHYSICAL_NAMES
     status = grid(frame, "status", xs, ys)
     axes.set(xscale="linear" if x_words else "log", yscale="linear" if y_words else "log")
     x_edges = np.arange(len(px) + 1) + 0.5 if x_words else edges(px)
@@ -117,25 +159,37 @@ def draw(axes, frame):
         axis.set_minor_locator(plt.NullLocator())
         if words:
             axis.set_ticks(places, words)
-        elif places[-1] / places[0] < 50:
-            axis.set_ticks(apart(places, axis is axes.xaxis))
+        elif max(places) / min(places) < 50:
+            axis.set_ticks(apart(np.sort(places), axis is axes.xaxis))
             axis.set_major_formatter(plt.FuncFormatter(lambda value, _: label(value)))
-    axes.set_xlabel(NAMES.get(frame.x_name.iloc[0], frame.x_name.iloc[0]))
-    axes.set_ylabel(NAMES.get(frame.y_name.iloc[0], frame.y_name.iloc[0]))
+    axes.set_xlabel(names.get(frame.x_name.iloc[0], frame.x_name.iloc[0]))
+    axes.set_ylabel(names.get(frame.y_name.iloc[0], frame.y_name.iloc[0]))
     name = frame["map"].iloc[0]
-    axes.set_title(TITLES.get(name, name.replace("-", " ")), fontsize=8)
+    axes.set_title(USER[name] if case else TITLES.get(name, name.replace("-", " ")))
+
+
+def cases(plan):
+    """The case of the first run of every map."""
+    found = {}
+    for run in plan["runs"]:
+        if run["group"] == "stability":
+            found.setdefault(run["labels"]["map"], run["case"])
+    return found
 
 
 def main():
-    arguments = figure_arguments(__doc__, "table")
-    table = read_table(arguments.table)
+    arguments = figure_arguments(__doc__, "table", "maps")
+    plan, table = read_json(arguments.plan), read_table(arguments.table)
+    known = list(dict.fromkeys(table["map"]))
+    user = arguments.maps == "user"
+    maps, columns = ([name for name in USER if name in known], 2) if user else (known, COLUMNS)
+    table = table[table["map"].isin(maps)]
     table.to_csv(arguments.csv, index=False, lineterminator="\n")
-    maps = list(dict.fromkeys(table["map"]))
-    rows = -(-len(maps) // COLUMNS)
-    figure = new_figure(PAGE, 0.5 + 1.75 * rows)
-    panels = figure.subplots(rows, COLUMNS, squeeze=False).ravel()
+    rows = max(1, -(-len(maps) // columns))
+    figure = new_figure(PAGE, 0.5 + (2.1 if user else 1.7) * rows)
+    panels, made = figure.subplots(rows, columns, squeeze=False).ravel(), cases(plan) if user else {}
     for axes, name in zip(panels, maps, strict=False):
-        draw(axes, table[table["map"] == name])
+        draw(axes, table[table["map"] == name], made.get(name))
     for axes in panels[len(maps) :]:
         axes.set_axis_off()
     keys = [
@@ -146,7 +200,7 @@ def main():
     ]
     keys.append(plt.Line2D([], [], color=BLUE, linewidth=1.4, label="limit stated by dld check"))
     figure.legend(handles=keys, loc="outside lower center", ncols=4)
-    save(figure, arguments.output, read_json(arguments.plan)["note"])
+    save(figure, arguments.output, plan["note"])
 
 
 main()

@@ -1,4 +1,5 @@
-"""Table 1 as a picture: separation distance against the row shift, printed and computed, with power laws."""
+"""Table 1 as a picture: separation distance against the row shift, printed and computed, with power
+laws."""
 
 import numpy as np
 from study import style

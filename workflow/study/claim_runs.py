@@ -37,7 +37,7 @@ def case_of_run(run, passages, plan):
         return case_of(rows.iloc[0].to_dict(), plan)
     found = next((one["case"] for one in plan["runs"] if one["id"] == run), None)
     if found is None:
-        raise ValueError(f"run {run} is in no table of passages and not in params/study.json")
+        raise ValueError(f"run {run} is in no table of passages and not in params/studies/krueger2014.json")
     return found
 
 

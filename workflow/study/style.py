@@ -10,9 +10,12 @@ from study.pictures import png_with_palette
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+from matplotlib.text import Text
 
-#: Print widths in inches: one column and the full page.
-COLUMN, PAGE = 3.35, 6.9
+#: Print widths in inches, one column and the full page of the article, which shows figures at their own size.
+COLUMN, PAGE = 3.25, 6.7
+#: Smallest type of a figure in points.
+SMALLEST_TYPE = 7
 
 #: Okabe and Ito's colours, distinguishable with any colour vision.
 BLACK, ORANGE, SKY, GREEN = "#000000", "#E69F00", "#56B4E9", "#009E73"
@@ -75,12 +78,24 @@ def say_no_runs(axes):
     axes.text(0.5, 0.5, "no runs in this tier", transform=axes.transAxes, zorder=9, **look)
 
 
+def unreadable(figure):
+    """What of a figure could not be read in print: too wide for the page, or type that is too small."""
+    if figure.get_figwidth() > PAGE + 1e-6:
+        yield f"{figure.get_figwidth():.2f} in wide, the page has {PAGE}"
+    for text in figure.findobj(Text):
+        if text.get_visible() and text.get_text().strip() and text.get_fontsize() < SMALLEST_TYPE:
+            yield f"'{text.get_text()}' in {text.get_fontsize():g} pt, at least {SMALLEST_TYPE}"
+
+
 def save(figure, pdf_path, note=""):
-    """Saves the figure as PDF and, beside it, PNG, without dates; a tier's `note` is shown on top. Plots
-    without data say so."""
+    """Saves the figure as PDF and, beside it, PNG, without dates; a tier's `note` is shown on top. A figure
+    that could not be read in the article's width is an error. Plots without data say so."""
     for axes in figure.axes:
         if axes.axison and not axes.has_data() and not axes.texts:
             say_no_runs(axes)
+    faults = list(unreadable(figure))
+    if faults:
+        raise ValueError(f"{pdf_path}: {'; '.join(faults)}")
     if note:
         figure.suptitle(note, fontsize=8, color=VERMILION, weight="bold")
     path = Path(pdf_path)

@@ -163,7 +163,35 @@ rule work_precision_class:
         """
 
 
-# A target of its own: it needs the passages of the whole study.
+rule figure_speed_accuracy:
+    input:
+        plan=PLAN_FILE,
+        accuracy=rules.accuracy_table.output,
+        boundary=rules.boundary_tables.output.boundary,
+        uncertainty=rules.uncertainty_table.output,
+        a_priori=rules.a_priori.output.table,
+        times=rules.stage_times.output,
+        script=f"{SCRIPTS}/fig_speed_accuracy.py",
+        package=PACKAGE,
+    output:
+        multiext(f"{FIGURES}/speed_accuracy", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/speed_accuracy.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --accuracy {input.accuracy} --boundary {input.boundary} \
+            --uncertainty {input.uncertainty} --a-priori {input.a_priori} --times {input.times} \
+            --csv {output.csv} --output {output.pdf} 2> {log}
+        """
+
+
+# Targets of their own: the one needs the passages of the whole study, the other its brackets and those of the
+# target `uncertainty`.
 rule accuracy_class:
     input:
         rules.work_precision_class.output,
+
+
+rule speed_accuracy:
+    input:
+        rules.figure_speed_accuracy.output,

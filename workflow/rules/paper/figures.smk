@@ -182,6 +182,7 @@ rule figure_trajectories:
     input:
         plan=PLAN_FILE,
         trajectories=rules.trajectories.output,
+        claims=CLAIMS,
         script=f"{SCRIPTS}/fig06_trajectories.py",
         package=PACKAGE,
     output:
@@ -189,7 +190,10 @@ rule figure_trajectories:
     log:
         f"{LOGS}/fig06.log",
     shell:
-        "python {input.script} --plan {input.plan} --trajectories {input.trajectories} --output {output.pdf} 2> {log}"
+        """
+        python {input.script} --plan {input.plan} --trajectories {input.trajectories} --claims {input.claims} \
+            --output {output.pdf} 2> {log}
+        """
 
 
 rule figure_classes:

@@ -82,6 +82,7 @@ rule figure_speed:
         table=rules.passages_table.output,
         crossings=rules.crossings_table.output.crossings,
         boundary=rules.boundary_tables.output.boundary,
+        claims=CLAIMS,
         script=f"{SCRIPTS}/fig_speed.py",
         package=PACKAGE,
     output:
@@ -91,7 +92,7 @@ rule figure_speed:
     shell:
         """
         python {input.script} --plan {input.plan} --table {input.table} --crossings {input.crossings} \
-            --boundary {input.boundary} --csv {output.csv} --output {output.pdf} 2> {log}
+            --boundary {input.boundary} --claims {input.claims} --csv {output.csv} --output {output.pdf} 2> {log}
         """
 
 

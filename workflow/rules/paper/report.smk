@@ -11,7 +11,7 @@ REPORT_GROUPS = ["streamlines", "stokes", "stretching", "passages", "sensitivity
 def made_on_request(_):
     """Digest of the tables and figures of other targets, which report and article show if they are there."""
     digest = hashlib.sha256()
-    others = [*ACCURACY_FILES, *rules.accuracy_class.input, *STABILITY_TABLES, *STABILITY_FIGURES, *PERFORMANCE_FILES]
+    others = [*ACCURACY_FILES, *rules.accuracy_class.input, *rules.speed_accuracy.input, *STABILITY_TABLES, *STABILITY_FIGURES, *PERFORMANCE_FILES]
     others += [UNCERTAINTY_TABLE, *UNCERTAINTY_FIGURE]
     for path in map(Path, others):
         if path.exists():

@@ -1,7 +1,7 @@
 """Where the methods fail: two-parameter maps and the drift over a long run."""
 
 STABILITY_TABLES = expand(f"{TABLES}/{{name}}.csv", name=["stability", "long_run"])
-STABILITY_FIGURES = expand(f"{FIGURES}/{{name}}.{{suffix}}", name=["stability", "long_run"], suffix=["pdf", "png", "csv"])
+STABILITY_FIGURES = expand(f"{FIGURES}/{{name}}.{{suffix}}", name=["stability", "stability_all", "long_run"], suffix=["pdf", "png", "csv"])
 
 
 rule stability:
@@ -38,9 +38,32 @@ rule stability_figure:
         png=f"{FIGURES}/stability.png",
     log:
         f"{LOGS}/stability_figure.log",
+    params:
+        maps="user",
     shell:
         """
-        python {input.script} --plan {input.plan} --table {input.table} \
+        python {input.script} --plan {input.plan} --table {input.table} --maps {params.maps} \
+            --csv {output.csv} --output {output.pdf} 2> {log}
+        """
+
+
+rule stability_figure_all:
+    input:
+        plan=PLAN_FILE,
+        table=f"{TABLES}/stability.csv",
+        script=f"{SCRIPTS}/stability_figure.py",
+        package=PACKAGE,
+    output:
+        csv=f"{FIGURES}/stability_all.csv",
+        pdf=f"{FIGURES}/stability_all.pdf",
+        png=f"{FIGURES}/stability_all.png",
+    log:
+        f"{LOGS}/stability_figure_all.log",
+    params:
+        maps="all",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --table {input.table} --maps {params.maps} \
             --csv {output.csv} --output {output.pdf} 2> {log}
         """
 
