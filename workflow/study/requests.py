@@ -33,8 +33,8 @@ def _estimate(dld, text):
             raise ValueError(f"{dld} check: {done.stderr.strip()}")
         checked = json.loads(done.stdout)
     cost = checked.get("expected_cost") or {}
-    seconds = cost.get("seconds_on_one_core", UNKNOWN_SECONDS)
-    return seconds, checked.get("memory_MiB", 0)
+    seconds = cost.get("seconds_on_one_core")
+    return UNKNOWN_SECONDS if seconds is None else seconds, checked.get("memory_MiB", 0)
 
 
 def estimate(dld, case):
