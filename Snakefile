@@ -47,7 +47,6 @@ if workflow.is_main_process and not only_looks(sys.argv[1:]):
     except Busy as who:
         raise WorkflowError(str(who)) from None
     forget(PLANNED, RUNS, f"{RESULTS}/brackets")
-progress.describe(PLAN, workflow.cores)
 PLAN_FILE = write_plan(PLAN, f"{RESULTS}/plan.json")
 TABLES, FIGURES, LOGS = (f"{RESULTS}/{name}" for name in ("tables", "figures", "logs"))
 SCRIPTS = "workflow/scripts"
@@ -59,6 +58,9 @@ wildcard_constraints:
 
 
 include: "workflow/rules/build.smk"
+
+progress.describe(PLAN, SECONDS, workflow.cores)
+
 include: "workflow/rules/cluster.smk"
 include: "workflow/rules/runs.smk"
 include: "workflow/rules/flow.smk"

@@ -1,19 +1,17 @@
 """How far a call of the pipeline is and how long it will take, in words for people.
 
-Every job has an expected time on one core: of a solver run the work that its case asks for over a rate, of
-the others a typical time. The times seen so far correct both kinds by a factor each, so that a slower machine
+Every job has an expected time on one core: of a solver run what the solver says (study.precheck), of the
+others a typical time. The times seen so far correct both kinds by a factor each, so that a slower machine
 is known after some runs.
 """
 
 from collections import Counter
 from dataclasses import dataclass, field
 
-from study.schedule import expected_updates
+from study.plan import run_id
 
-#: Expected node updates (study.schedule) that one core does in a second, medians of the committed study.
-RATES = {"streamlines": 1.0e8, "stretching": 1.4e7, "phi4": 1.9e8, "phi4_corrected": 1.0e8}
-#: The same of a flow without a cell in single precision, whose criterion is met earlier, too.
-SINGLE_FLOW = 6.8e8
+#: Seconds of a solver run that the solver has not been asked about.
+UNKNOWN = 10.0
 #: Seconds of a program of Python that reads tables and writes one, and of the jobs that take longer.
 ORDINARY = 2.0
 LONGER = {"build": 300, "build_bending_laws": 15, "boundary_fits": 20, "figure_phase_space": 15}
@@ -27,16 +25,12 @@ NOTHING = 2.0
 BELIEF = 30.0
 STAGES = {"streamlines": "flows without a cell", "stokes": "flows without a cell"}
 STAGES |= {"sensitivity-flow": "flows without a cell", "stretching": "stretched cells"}
-OTHER = "other"  # kind of a job that is no run of the solver; of a run it is the scene
+OTHER = "other"  # kind of a job that is no run of the solver
 
 
-def seconds_of_case(case):
-    """Expected seconds of a solver run on one core."""
-    kind = case["scene"] if case["scene"] in RATES else case.get("coupling", {}).get("kernel")
-    rate = RATES.get(kind, RATES["phi4"])
-    if kind == "streamlines" and case["fluid"]["precision"] == "single":
-        rate = SINGLE_FLOW
-    return 0.4 + expected_updates(case) / rate
+def kind_of(case):
+    """Runs that are as far off the solver's expectation: of a scene and, with a cell in a fluid, a kernel."""
+    return " ".join([case["scene"], *([case["coupling"]["kernel"]] if "coupling" in case else [])])
 
 
 def point_in_words(case):
@@ -72,14 +66,14 @@ def described(rule, wildcards, plan, threads=1):
     if rule == "solve" and wildcards["run"] in runs:
         run = runs[wildcards["run"]]
         stage, case = STAGES.get(run["group"], "passages"), run["case"]
-        return Job(stage, point_in_words(case), seconds_of_case(case), case["scene"])
+        return Job(stage, point_in_words(case), plan["seconds"].get(run["id"], UNKNOWN), kind_of(case))
     if rule in ("bracket_point", "bracket_confirm"):
         bracket = plan["brackets"][wildcards["bracket"]]
         case = bracket["confirm"][wildcards["label"]] if rule == "bracket_confirm" else bracket["case"]
         axis = "critical Ca" if bracket["axis"] == "capillary_number" else "critical d"
         name = f"{axis} of {wildcards['bracket']}"
-        seconds = seconds_of_case(case)
-        return Job("passages of brackets", name, seconds, case["scene"], wildcards["bracket"])
+        seconds = plan["seconds"].get(run_id(case, plan["solver_model"]), UNKNOWN)
+        return Job("passages of brackets", name, seconds, kind_of(case), wildcards["bracket"])
     if rule == "build":
         return Job("solver", "building the solver", LONGER["build"], OTHER, "", None, threads)
     stage = "figures" if rule.startswith("fig") or rule.startswith("anim") else "tables"
@@ -87,9 +81,9 @@ def described(rule, wildcards, plan, threads=1):
     return Job(stage, name, LONGER.get(rule, ORDINARY), OTHER, "", None, threads)
 
 
-def with_index(plan):
-    """A plan with its runs by identity."""
-    return plan | {"by_id": {run["id"]: run for run in plan["runs"]}}
+def with_index(plan, seconds):
+    """A plan with its runs by identity and what the solver expects of them, {identity: seconds}."""
+    return plan | {"by_id": {run["id"]: run for run in plan["runs"]}, "seconds": seconds}
 
 
 def duration(seconds):
@@ -202,13 +196,13 @@ def _solver_last(job):
 
 #: The call of this process: what the Snakefile plans and the logger plugin tells.
 CURRENT = Progress()
-PLAN = {"by_id": {}, "brackets": {}, "runs": []}
+PLAN = {"by_id": {}, "brackets": {}, "runs": [], "seconds": {}, "solver_model": 0}
 
 
-def describe(plan, cores):
-    """Tells the call of this process its plan and cores."""
+def describe(plan, seconds, cores):
+    """Tells the call of this process its plan, what the solver expects of its runs, and its cores."""
     PLAN.clear()
-    PLAN.update(with_index(plan))
+    PLAN.update(with_index(plan, seconds))
     CURRENT.cores = max(int(cores or 1), 1)
 
 

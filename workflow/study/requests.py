@@ -7,9 +7,10 @@ The estimate is one of seconds on a core with AVX-512 and of the fields' memory.
 
 import json
 import math
-import subprocess
 from functools import cache
 from pathlib import Path
+
+from study.precheck import answers
 
 #: Seconds of a run of which the solver knows no cost, or that is planned before the solver is built.
 UNKNOWN_SECONDS = 60
@@ -25,16 +26,12 @@ GROUPS = {"runs_of_seconds": 15, "runs_of_a_minute": 60}
 @cache
 def _estimate(dld, text):
     """(seconds, MiB) of a case given as JSON text."""
-    checked = {}
-    if Path(dld).exists():
-        command = [dld, "check", "--force", "/dev/stdin"]
-        done = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise ValueError(f"{dld} check: {done.stderr.strip()}")
-        checked = json.loads(done.stdout)
-    cost = checked.get("expected_cost") or {}
-    seconds = cost.get("seconds_on_one_core")
-    return UNKNOWN_SECONDS if seconds is None else seconds, checked.get("memory_MiB", 0)
+    if not Path(dld).exists():
+        return UNKNOWN_SECONDS, 0
+    answer = answers([json.loads(text)], dld)[0]
+    if answer["problems"]:
+        raise ValueError(f"{dld} resolve: {answer['problems']}")
+    return answer["expected_cost"]["seconds_on_one_core"], answer["memory_bytes"] / 2**20
 
 
 def estimate(dld, case):
