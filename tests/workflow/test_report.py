@@ -11,11 +11,14 @@ import pytest
 from PIL import Image
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-VERDICTS = """id,verdict,grounds,claim,where,paper_value,unit,measured,note,explanation
-reynolds,NOT REPRODUCED,,a claim with <angle> & sign,Section 3.1,0.76,,0.461,,as we read it
-resistance,REPRODUCED,,another claim,Section 3.1,8.8e8,Pa s/m^2,8.7e8,a note,
-table-1,HOLDS WITH ANOTHER VALUE,differs by a bit,a third claim,Table 1,1.2,um,1.3,,as we read it
+VERDICTS = """id,verdict,grounds,claim,where,paper_value,unit,measured,note,explanation,verdict_corrected,runs
+reynolds,NOT REPRODUCED,,a claim with <angle> & sign,Section 3.1,0.76,,0.461,,as we read it,REPRODUCED,
+resistance,REPRODUCED,,another claim,Section 3.1,8.8e8,Pa s/m^2,8.7e8,a note,,REPRODUCED,
+table-1,HOLDS WITH ANOTHER VALUE,differs by a bit,a third claim,Table 1,1.2,um,1.3,,as we read it,NOT RUN,
+window,REPRODUCED,,a claim of passages,Section 4.2,,,both classes,,,NOT RUN,{runs}
 """
+SEPARATION = "variant,row_shift_um,s_um\n" + "".join(f"accurate-0.4,{d / 10},1.5\n" for d in range(20, 100))
+UNITS = "capillary_number,length_scale_um,pressure_gradient_bar_per_m\n0.1,7.589,0.2\n0.1,4.8,0.3\n"
 
 
 @pytest.fixture(scope="module")
@@ -27,10 +30,14 @@ def make(results, call, root, tmp_path_factory):
     tables, figures, templates = folder / "tables", folder / "figures", root / "workflow/templates"
     tables.mkdir()
     figures.mkdir()
-    Image.new("RGB", (2000, 1000), "white").save(figures / "fig07.png")
-    (folder / "claims.csv").write_text(VERDICTS, encoding="utf-8")
+    for name in ("fig01", "fig02", "fig05", "fig06", "fig07", "fig09"):
+        Image.new("RGB", (2000, 1000), "white").save(figures / f"{name}.png")
     runs = {"plan": results / "plan.json", "runs": results / "runs", "brackets": results / "brackets"}
     call("passages_table", **runs, output=tables / "passages.csv")
+    runs_of_claim = " ".join(pd.read_csv(tables / "passages.csv").run.unique())
+    (folder / "claims.csv").write_text(VERDICTS.format(runs=runs_of_claim), encoding="utf-8")
+    (tables / "streamline_separation.csv").write_text(SEPARATION, encoding="utf-8")
+    (tables / "units.csv").write_text(UNITS, encoding="utf-8")
     boundary = {"offset_um": 2.5, "amplitude_um": 5.0, "rate": 1.5}
     rows = [{"name": "boundary/made-up", "parameter": key, "value": value} for key, value in boundary.items()]
     pd.DataFrame(rows).to_csv(tables / "fits.csv", index=False)
@@ -95,18 +102,37 @@ def in_browser(page, tmp_path, script="", fragment="", width=1200):
     copy = tmp_path / "page.html"
     text = page.read_text(encoding="utf-8")
     copy.write_text(text.replace("</body>", f"<script>{script}</script></body>"), encoding="utf-8")
+    return opened(copy.as_uri() + fragment, tmp_path, width)
+
+
+def opened(address, tmp_path, width=1200):
+    """The document at an address after its scripts ran in headless Chromium."""
     command = [
         CHROMIUM,
         "--headless",
         "--no-sandbox",
         "--disable-gpu",
+        "--allow-file-access-from-files",
         f"--user-data-dir={tmp_path / 'user'}",
     ]
-    command += [f"--window-size={width},900", "--virtual-time-budget=2000", "--dump-dom"]
-    done = subprocess.run(
-        [*command, f"{copy.as_uri()}{fragment}"], capture_output=True, text=True, timeout=240, check=True
+    command += [f"--window-size={width},900", "--virtual-time-budget=2000", "--dump-dom", address]
+    return subprocess.run(command, capture_output=True, text=True, timeout=240, check=True).stdout
+
+
+def in_frame(page, tmp_path, script, fragment="", width=400):
+    """What a script says of the page in a frame, which can be narrower than a window; `page` in the script is
+    the document of the page. The script returns a text."""
+    frame = tmp_path / "frame.html"
+    look = f"width: {width}px; height: 800px; border: 0"
+    frame.write_text(
+        f'''<iframe src="{page.as_uri()}{fragment}" style="{look}"></iframe>
+        <script>document.querySelector("iframe").addEventListener("load", (event) => {{
+          const page = event.target.contentDocument, view = event.target.contentWindow;
+          setTimeout(() => {{ document.body.dataset.found = (() => {{ {script} }})(); }}, 500);
+        }});</script>''',
+        encoding="utf-8",
     )
-    return done.stdout
+    return re.search(r'data-found="([^"]*)"', opened(frame.as_uri(), tmp_path))[1]
 
 
 def details(document):
@@ -127,6 +153,69 @@ def test_a_link_opens_the_page_at_its_run(page, make, tmp_path):
     assert found["class"] == "zigzag"
     assert float(found["Ca"]) == pytest.approx(row.capillary_number)
     assert "<polyline" in panel and "<circle" in panel
+
+
+@needs_chromium
+def test_the_panel_has_the_class_in_print_and_two_s_and_the_pressure(page, make, tmp_path):
+    row = make.passages[make.passages["class"] == "zigzag"].iloc[-1]
+    found, _ = details(in_browser(page, tmp_path, fragment=f"#run-{row.run}"))
+    assert found["2 s, without a cell"] == "3 µm"
+    assert float(found["pressure, healthy cell"].removesuffix(" bar/m")) == pytest.approx(
+        2 * row.capillary_number, rel=5e-3
+    )
+    assert found["class in print"] in ("displaced", "zigzag", "not stated")
+    assert "not measured" not in found.values()
+
+
+@needs_chromium
+def test_a_jump_lands_where_it_points(page, tmp_path):
+    script = "return page.getElementById('figure-fig09').getBoundingClientRect().top;"
+    assert abs(float(in_frame(page, tmp_path, script, "#figure-fig09", 1200))) < 60
+
+
+@needs_chromium
+def test_verdict_and_measured_value_are_on_a_screen_of_400_pixels(page, tmp_path):
+    script = """
+    const cells = [...page.querySelectorAll(".verdicts tbody td")];
+    const places = cells.map((cell) => cell.getBoundingClientRect());
+    const right = Math.max(...places.map((place) => place.right));
+    const read = cells.filter((cell) => cell.dataset.label === "Verdict" && cell.offsetWidth > 100).length;
+    return [right, page.documentElement.clientWidth, read].join(" ");
+    """
+    right, there, read = map(float, in_frame(page, tmp_path, script).split(" "))
+    assert right <= there <= 400 and read == 4
+
+
+@needs_chromium
+def test_every_link_within_the_page_has_its_place(page, tmp_path):
+    text = page.read_text(encoding="utf-8")
+    ids = set(re.findall(r'\bid="([^"]+)"', text))
+    targets = {one[1:] for one in re.findall(r'href="(#[^"]+)"', text)}
+    runs = {point["run"] for point in data_of(text)["points"]}
+    assert {one for one in targets if not one.startswith("run-")} <= ids
+    assert {one.removeprefix("run-") for one in targets if one.startswith("run-")} == runs
+    assert {"figure-fig07", "table-passages"} <= targets
+    script = """
+    page.querySelector("a.run").click();
+    const text = (place) => page.querySelector(place).textContent;
+    return [text("#details dd:last-of-type"), text("a.run")].join(" ");
+    """
+    shown, wanted = in_frame(page, tmp_path, script, width=1200).split(" ")
+    assert shown == wanted
+
+
+def test_grades_are_counted_first_and_by_reading(page):
+    text = page.read_text(encoding="utf-8")
+    assert text.index("by reading of what the paper leaves open") < text.index('id="claim-reynolds"')
+    corrected = re.search(r"<tr><td[^>]*><b>corrected</b>.*?</tr>", text, re.DOTALL)[0]
+    assert re.findall(r">(\d+)</td>", corrected) == ["2", "0", "0", "0", "0", "2"]
+    assert "hinge_sheet</b>" not in text  # a reading that was not judged has no line
+
+
+def test_sets_of_runs_are_named_in_words(page):
+    labels = re.findall(r"<option[^>]*>([^<]*)</option>", page.read_text(encoding="utf-8"))
+    assert any(label.startswith("The grid: every row shift") for label in labels)
+    assert not any("dx =" in label or "boundary/" in label for label in labels)
 
 
 @needs_chromium

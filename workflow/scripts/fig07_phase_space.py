@@ -7,7 +7,7 @@ another choice."""
 import numpy as np
 from study import style
 from study.arguments import figure_arguments
-from study.boundary import PARAMETERS, UNDISPUTED, bootstrap_boundary, brackets_of, law
+from study.boundary import PARAMETERS, UNDISPUTED, bootstrap_boundary, brackets_of, law, printed_class
 from study.brackets import FROM_CELLS
 from study.claims import SERIES, load_claims
 from study.passages import DECIDED
@@ -19,21 +19,9 @@ COLUMNS += ["status", "contradictions", "d_um", "d_low_um", "d_high_um"]
 LARGEST = 1.6  # capillary number at the right edge
 CURVE = np.linspace(0, LARGEST, 81)  # capillary numbers of the curves
 REACH = 1.2  # a fitted curve ends at its outermost brackets times this
-SAME = 1e-9  # capillary numbers and row shifts closer than this are one
 #: Our boundary with one other choice: the name on its line and the Ca at which it stands.
 OTHERS = {"hinge_sphere": ("stiffer folds", 0.6), "corrected": ("corrected kernel", 0.62)}
 OTHERS |= {"hinge_sheet": ("softer folds", 0.28)}
-
-
-def printed_class(statements, shift, capillary):
-    """The class that the text of the paper states for a cell; None where it is silent."""
-    for said in statements:
-        if abs(said["row_shift_um"] - shift) < SAME:
-            if said["displaced_to"] is not None and capillary <= said["displaced_to"] + SAME:
-                return "displaced"
-            if said["zigzag_from"] is not None and capillary >= said["zigzag_from"] - SAME:
-                return "zigzag"
-    return None
 
 
 def cell_rows(passages, sweep, statements):

@@ -7,18 +7,26 @@ from pathlib import Path
 
 import pandas as pd
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
-from study import report
+from study import report, report_evidence
 from study.arguments import required_arguments
 from study.claims import load_claims
+from study.claims_page import column_of
 from study.grades import GRADES
 from study.plan import read_json
 from study.tables import read_table
 
 #: Tables shown under the figures where the tier has them: title and most rows shown.
 TABLES = {
+    "passages": ("Every passage", 1000),
     "phase_boundary": ("Brackets of the critical capillary number", 60),
     "fits": ("Fits", 80),
     "sensitivity": ("Sensitivity to single choices", 80),
+    "streamline_separation": ("Flow without a cell", 80),
+    "stokes_checks": ("Slow flow: linear in the force, the same backwards", 40),
+    "units": ("Pressure gradient and velocity of a healthy cell", 40),
+    "stretching": ("Cell stretched by an optical tweezer", 120),
+    "stretching_comparison": ("Stretched cell against experiments", 40),
+    "a_priori": ("Class by a rule, cell by cell", 300),
     "a_priori_summary": ("Predictions without a passage", 20),
     "accuracy_cost": ("Accuracy against cost", 80),
     "performance": ("Speed of the solver", 60),
@@ -35,13 +43,22 @@ def shown_tables(folder):
             yield {"name": name, "title": title, "head": head, "rows": rows}
 
 
+def known(path):
+    """A table that not every tier has; None without it."""
+    return read_table(path) if path.exists() else None
+
+
 def context(arguments):
     """What the template fills in."""
     tables, results = Path(arguments.tables), Path(arguments.figures)
     verdicts = pd.read_csv(arguments.verdicts, dtype=str).fillna("")
-    sets, points, axes = report.phase_space(read_table(tables / "passages.csv"))
-    printed = load_claims(arguments.claims)["phase-boundary"]["value"]
-    curves = report.boundaries(read_table(tables / "fits.csv"), printed, axes) if axes else []
+    document = read_json(arguments.claims)
+    readings = [one for one in document["readings"] if column_of(one, document["readings"]) in verdicts]
+    sets, points, axes = report.phase_space(read_table(tables / "passages.csv"), document["readings"])
+    printed = load_claims(arguments.claims)["phase-boundary"]
+    others = (known(tables / f"{name}.csv") for name in ("streamline_separation", "units"))
+    points = report_evidence.beside_print(points, printed["statements"], *others)
+    curves = report.boundaries(read_table(tables / "fits.csv"), printed["value"], axes) if axes else []
     plan = read_json(arguments.plan)
     case = next((run["case"] for run in plan["runs"] if run["group"] == "passages"), {"geometry": {}})
     data = {"points": points, "trajectories": report.trajectories(read_table(arguments.trajectories))}
@@ -49,11 +66,19 @@ def context(arguments):
         name: case["geometry"].get(f"{name}_um") for name in ("pillar_radius", "pitch")
     }
     captions = tomllib.loads(Path(arguments.captions).read_text(encoding="utf-8"))["captions"]
+    figures, shown = list(report.figures(results, captions)), list(shown_tables(tables))
+    places = {"figures": {one["name"] for one in figures}, "tables": {one["name"] for one in shown}}
+    rows = verdicts.to_dict("records")
     provenance = report.as_rows(pd.read_csv(arguments.provenance, dtype=str).fillna(""))
     return {
         "tier": plan["tier"],
         "note": plan["note"],
-        "verdicts": verdicts.to_dict("records"),
+        "verdicts": list(report_evidence.linked(rows, **places, runs={point["run"] for point in points})),
+        "readings": [
+            {"id": one["id"], "description": one["description"]}
+            | {"counts": Counter(verdicts[column_of(one, document["readings"])])}
+            for one in readings
+        ],
         "grades": list(GRADES),
         "counts": Counter(verdicts.verdict),
         "sets": sets,
@@ -62,8 +87,8 @@ def context(arguments):
         "curves": curves,
         "classes": report.CLASSES,
         "data": report.as_script(data),
-        "figures": report.figures(results, captions),
-        "tables": list(shown_tables(tables)),
+        "figures": figures,
+        "tables": shown,
         "provenance": provenance,
     }
 

@@ -12,6 +12,7 @@ PARAMETERS = ("offset_um", "amplitude_um", "rate")
 #: Smallest scatter of row shifts about the law that is believed, um: a twentieth of the paper's lattice.
 SMALLEST_SCATTER_UM = 0.02
 SEED, SAMPLES = 20141, 200
+SAME = 1e-6  # capillary numbers and row shifts (um) closer than this are one
 
 
 def law(parameters, capillary):
@@ -25,6 +26,18 @@ def critical_capillary_number(row_shift_um, parameters):
     offset, amplitude, rate = parameters
     part = (row_shift_um - offset) / amplitude
     return -math.log(part) / rate if 0 < part <= 1 else None
+
+
+def printed_class(statements, row_shift_um, capillary):
+    """The class that the text of the paper states for a cell; None where it is silent. A statement says up to
+    which capillary number the cells of a row shift are displaced, and from which on they zigzag."""
+    for said in statements:
+        if abs(said["row_shift_um"] - row_shift_um) < SAME:
+            if said["displaced_to"] is not None and capillary <= said["displaced_to"] + SAME:
+                return "displaced"
+            if said["zigzag_from"] is not None and capillary >= said["zigzag_from"] - SAME:
+                return "zigzag"
+    return None
 
 
 def _negative_log_likelihood(vector, shifts, low, high):

@@ -7,10 +7,11 @@ import math
 from PIL import Image
 
 from study.pictures import png_with_palette
+from study.report_evidence import set_in_words
 
 CLASSES = ["displaced", "zigzag", "undecided", "diverged", "interrupted"]
 IMAGE_WIDTH = 1380  # pixels; twice the width at which the page shows a figure
-SHOWN = ["d_perp_um", "film_um", "crossings", "steps", "wall_s"]
+SHOWN = ["d_perp_um", "film_um", "crossings", "steps"]
 
 
 class Axes:
@@ -56,7 +57,7 @@ def plain(value, digits=3):
     return value if isinstance(value, str) else round(float(value), digits)
 
 
-def phase_space(passages):
+def phase_space(passages, readings):
     """(sets, points, axes): sets of passages of one sweep and lattice, largest first, and their points."""
     rows = passages.dropna(subset=["capillary_number", "row_shift_um"])
     if rows.empty:
@@ -66,7 +67,7 @@ def phase_space(passages):
     for row in rows.to_dict("records"):
         key = (row["sweep"], row["dx_um"], row["lateral_flow"], row["skalak_denominator"])
         group = sets.setdefault(key, {"id": f"set-{len(sets)}", "count": 0})
-        group["label"] = f"{row['sweep']}: dx = {row['dx_um']:.3g} um, lateral flow {row['lateral_flow']}"
+        group["label"] = set_in_words(row["sweep"], row["dx_um"], row["lateral_flow"], readings)
         group["count"] += 1
         point = {"set": group["id"], "run": row["run"], "sweep": row["sweep"], "class": row["class"]}
         point |= {"ca": plain(row["capillary_number"], 4), "d": plain(row["row_shift_um"], 2)}
@@ -98,15 +99,19 @@ def trajectories(table):
 
 
 def embedded(path):
-    """An image as a data URI: animations as they are, pictures at screen size with a palette."""
-    if path.suffix == ".gif":
-        return "data:image/gif;base64," + base64.b64encode(path.read_bytes()).decode()
+    """(data URI, width, height) of an image: animations as they are, pictures at screen size with a palette.
+    The size is that at which the page shows it, so that the page keeps its place before it is loaded."""
     with Image.open(path) as picture:
+        width, height = picture.size
+        if path.suffix == ".gif":
+            text = "data:image/gif;base64," + base64.b64encode(path.read_bytes()).decode()
+            return text, width, height
         small = picture.convert("RGB")
         if small.width > IMAGE_WIDTH:
             size = (IMAGE_WIDTH, round(small.height * IMAGE_WIDTH / small.width))
             small = small.resize(size, Image.Resampling.LANCZOS)
-        return "data:image/png;base64," + base64.b64encode(png_with_palette(small)).decode()
+        text = "data:image/png;base64," + base64.b64encode(png_with_palette(small)).decode()
+        return text, small.width // 2, small.height // 2
 
 
 def figures(folder, captions):
@@ -114,9 +119,15 @@ def figures(folder, captions):
     found = {path.stem: path for path in sorted(folder.glob("*.gif"))}
     found = {path.stem: path for path in sorted(folder.glob("*.png"))} | found
     order = [name for name in captions if name in found] + [name for name in found if name not in captions]
-    return [
-        {"name": name, "caption": captions.get(name, name), "data": embedded(found[name])} for name in order
-    ]
+    for name in order:
+        data, width, height = embedded(found[name])
+        yield {
+            "name": name,
+            "caption": captions.get(name, name),
+            "data": data,
+            "width": width,
+            "height": height,
+        }
 
 
 def as_script(document):

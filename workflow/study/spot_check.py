@@ -36,7 +36,7 @@ def case_of(row, plan):
             return case
     raise ValueError(
         f"run {row['run']} ({row['sweep']}, d = {row['row_shift_um']} um, Ca = {row['capillary_number']}) "
-        "is in the committed table and not in params/studies/krueger2014.json: make the table again, or take its study file"
+        "is in the committed table and not in the file of the study: make the table again, or take its study file"
     )
 
 

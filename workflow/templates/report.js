@@ -16,7 +16,8 @@
     return made;
   };
 
-  const number = (value, unit) => (value === null || value === undefined ? "not measured" : value + unit);
+  // A value with its unit; null, which is not shown, where there is none.
+  const number = (value, unit) => (value === null || value === undefined ? null : value + unit);
 
   // Pillars and path of one run, y upwards; null if the run has no trajectory.
   const thumbnail = (point) => {
@@ -45,12 +46,14 @@
     const list = element("dl", {});
     const lines = [
       ["class", point.class + (point.failing ? ` (${point.failing})` : "")],
+      ["class in print", point.printed || "not stated"],
       ["row shift d", number(point.d, " µm")], ["Ca", number(point.ca, "")],
-      ["lateral extent", number(point.d_perp_um, " µm")], ["film", number(point.film_um, " µm")],
-      ["crossings", number(point.crossings, "")], ["steps", number(point.steps, "")],
-      ["time", number(point.wall_s, " s")], ["lattice", number(point.dx, " µm")],
-      ["sweep", point.sweep], ["run", point.run],
-    ];
+      ["pressure, healthy cell", number(point.pressure, " bar/m")],
+      ["lateral extent", number(point.d_perp_um, " µm")], ["2 s, without a cell", number(point.two_s_um, " µm")],
+      ["film", number(point.film_um, " µm")],
+      ["rows crossed", number(point.crossings, "")], ["steps", number(point.steps, "")],
+      ["lattice", number(point.dx, " µm")], ["sweep", point.sweep], ["run", point.run],
+    ].filter(([, value]) => value !== null);
     for (const [name, value] of lines) list.append(element("dt", {}, name), element("dd", {}, value));
     const picture = thumbnail(point);
     details.replaceChildren(list, picture || element("p", {}, "No trajectory."));
@@ -113,11 +116,18 @@
   select.addEventListener("change", showSet);
   showSet();
 
-  // A link such as report.html#run-0123456789ab opens the page at that run.
-  const wanted = data.points.findIndex((point) => location.hash === "#run-" + point.run);
-  if (wanted >= 0) {
+  // A link such as #run-0123456789ab, from outside or from a claim, opens the page at that run; one to a table
+  // opens the table.
+  const follow = () => {
+    const target = document.getElementById(location.hash.slice(1));
+    if (target && target.tagName === "DETAILS") target.open = true;
+    const wanted = data.points.findIndex((point) => location.hash === "#run-" + point.run);
+    if (wanted < 0) return;
     select.value = data.points[wanted].set;
     showSet();
     choose(wanted);
-  }
+    document.getElementById("space").scrollIntoView();
+  };
+  addEventListener("hashchange", follow);
+  follow();
 })();
