@@ -91,7 +91,7 @@ def main():
     columns += ["refined_uncertainty_um"] if "refined" in variants else []
     styles = dict.fromkeys(columns, ".3f") | {"row_shift_um": ".1f", "epsilon": ".4f", "printed_s_um": ".1f"}
     write_table(rows, columns, arguments.csv, ["row_shift_um"], styles)
-    figure = style.new_figure(4.2, 4.6)
+    figure = style.new_figure(style.COLUMN, 4.4)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[2.2, 1])
     draw(upper, table, fits, printed, variants)
     draw_differences(lower, rows, variants)
