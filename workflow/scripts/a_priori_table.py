@@ -9,7 +9,7 @@ from pathlib import Path
 
 from study.arguments import required_arguments
 from study.claims import load_claims
-from study.passages import DECIDED
+from study.classes import DECIDED
 from study.plan import read_json
 from study.tables import read_table, write_table
 from study.tweezer import SeparationCurve, TweezerCurve

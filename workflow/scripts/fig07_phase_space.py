@@ -10,7 +10,7 @@ from study.arguments import figure_arguments
 from study.boundary import PARAMETERS, UNDISPUTED, bootstrap_boundary, brackets_of, law, printed_class
 from study.brackets import FROM_CELLS
 from study.claims import SERIES, load_claims
-from study.passages import DECIDED
+from study.classes import DECIDED
 from study.plan import read_json
 from study.tables import read_table, write_table
 

@@ -8,7 +8,7 @@ from study.arguments import figure_arguments
 from study.claims import load_claims
 from study.extent import GREY, draw_classes, law_of, note_missing, of_sweep
 from study.fits import power_law
-from study.passages import DECIDED
+from study.classes import DECIDED
 from study.plan import read_json
 from study.tables import read_table, write_table
 

@@ -5,7 +5,7 @@ rule or the simulation gives no class."""
 from study import style
 from study.arguments import figure_arguments
 from study.extent import GREY, MARKERS, capillary_axis, of_sweep, panel_note
-from study.passages import DECIDED
+from study.classes import DECIDED
 from study.plan import read_json
 from study.tables import read_table, write_table
 

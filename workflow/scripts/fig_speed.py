@@ -8,7 +8,7 @@ from study.arguments import figure_arguments
 from study.boundary import PARAMETERS, critical_capillary_number
 from study.claims import load_claims
 from study.extent import GREY, MARKERS, panel_note, shade
-from study.passages import DECIDED
+from study.classes import DECIDED
 from study.plan import read_json
 from study.tables import read_table, write_table
 

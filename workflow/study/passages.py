@@ -20,8 +20,6 @@ FROM_SUMMARY = [
     "failing_value",
     "failing_step",
 ]
-#: Classes that say what a cell does.
-DECIDED = ("displaced", "zigzag")
 #: By which the rows are sorted.
 KEYS = [
     "sweep",

@@ -13,7 +13,7 @@ import pandas as pd
 
 from study.boundary import UNDISPUTED
 from study.claims import SERIES, SWEEP, VARIANT, at_paper_lattice, grid
-from study.passages import DECIDED
+from study.classes import DECIDED
 from study.tweezer import TweezerCurve
 
 #: Columns of capillary numbers, by table.

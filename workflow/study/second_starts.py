@@ -3,7 +3,8 @@ became, over points of the phase space and over the ends of the brackets."""
 
 import pandas as pd
 
-from study.passages import DECIDED, KEYS
+from study.classes import DECIDED
+from study.passages import KEYS
 
 #: Name of the sweep and of the confirmations from the second place, and of the sweep they are set against.
 SWEEP, BASE = "second-start", "grid"

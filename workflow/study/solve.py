@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 from study.failures import FAILED, status_of
-from study.passages import DECIDED
+from study.classes import DECIDED
 from study.plan import run_id
 
 FINISHED = (*DECIDED, "undecided", "diverged", "converged")

@@ -16,7 +16,7 @@ from study.claims import (
     runs_of,
     statements_that_hold,
 )
-from study.passages import DECIDED
+from study.classes import DECIDED
 
 # Series of brackets that stand beside the default.
 OTHERS = ("corrected", "refined", "reference", "blocked", "blocked-corrected")

@@ -16,7 +16,7 @@ from study.claims import (
     runs_of,
 )
 from study.claims_boundary import ENOUGH_CELLS
-from study.passages import DECIDED
+from study.classes import DECIDED
 from study.tweezer import TweezerCurve
 
 DENOMINATOR = 12  # default of the study

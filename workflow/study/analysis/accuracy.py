@@ -10,7 +10,7 @@ from collections import defaultdict
 import numpy as np
 
 from study.frontier import limit, on_frontier
-from study.passages import DECIDED
+from study.classes import DECIDED
 
 #: What is judged in each study: {error kind: (name in the summary, relative)}.
 OBSERVABLES = {

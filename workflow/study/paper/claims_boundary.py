@@ -19,7 +19,7 @@ from study.claims import (
     statements_that_hold,
 )
 from study.claims_classes import OTHERS, near_boundary
-from study.passages import DECIDED
+from study.classes import DECIDED
 
 ENOUGH_CELLS = 40  # a third of the paper's phase space
 

@@ -7,7 +7,7 @@ the passage; how far that is from the device's is the matter of the other studie
 import numpy as np
 
 from study.accuracy import ALL
-from study.passages import DECIDED
+from study.classes import DECIDED
 from study.second_starts import grid_pairs
 
 KIND = "class, share of wrong ones"
