@@ -5,12 +5,11 @@
     snakemake --cores 2 --config tier=quick     the paper's cells without brackets, into results/quick/
     snakemake --cores 2 --config tier=smoke     a test of every rule on a coarse lattice, into results/smoke/
 
-The runs of a tier stand in the file of its study; workflow/study/plan.py resolves them.
+The runs of a tier stand in the file of its study; workflow/study/planning/plan.py resolves them.
 """
 
 import os
 import sys
-from glob import glob
 from pathlib import Path
 
 from snakemake.exceptions import WorkflowError
@@ -21,13 +20,14 @@ os.environ["PYTHONPATH"] = os.path.join(workflow.basedir, "workflow")  # the pro
 os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
 sys.path.insert(0, os.path.join(workflow.basedir, "workflow"))
 
-from study import progress
-from study.failures import failed_runs, forget
-from study.folders import PAPER, results_folder, study_file
-from study.lock import Busy, only_looks, taken
-from study.plan import SCHEMAS, ids, load_plan, load_study, read_json, study_brackets, validated, write_plan
-from study.points import STUDY_GROUPS
-from study.validation import hint
+from study.planning import progress
+from study.planning.failures import failed_runs, forget
+from study.planning.folders import PAPER, results_folder, study_file
+from study.planning.lock import Busy, only_looks, taken
+from study.planning.modules import modules_of
+from study.planning.plan import SCHEMAS, ids, load_plan, load_study, read_json, study_brackets, validated, write_plan
+from study.planning.points import STUDY_GROUPS
+from study.planning.validation import hint
 
 OPTIONS = ["study", "tier", "dld", "sample", "seed", "most_node_updates", "only", "claim"]  # of --config
 for name in config:
@@ -50,7 +50,6 @@ if workflow.is_main_process and not only_looks(sys.argv[1:]):
 PLAN_FILE = write_plan(PLAN, f"{RESULTS}/plan.json")
 TABLES, FIGURES, LOGS = (f"{RESULTS}/{name}" for name in ("tables", "figures", "logs"))
 SCRIPTS = "workflow/scripts"
-PACKAGE = sorted(glob("workflow/study/*.py"))  # every analysis depends on it
 
 
 wildcard_constraints:
@@ -134,7 +133,7 @@ onstart:
 onsuccess:
     asked = {job.rule.name for job in workflow.dag.targetjobs}
     if "claims" in STUDY_TEXT and asked & {"all", "claims"} and Path(CLAIM_FILES[0]).exists():
-        shell(f"python {SCRIPTS}/print_claims.py {CLAIM_FILES[0]}")
+        shell(f"python {SCRIPTS}/paper/print_claims.py {CLAIM_FILES[0]}")
     if failed := failed_runs(PLANNED, RUNS):
         told = "\n".join(f"  {RUNS}/{run}: {why}" for run, why in failed.items())
         raise WorkflowError(f"{len(failed)} runs failed; all else is made, the next call tries them again:\n{told}")

@@ -10,7 +10,7 @@ import time
 
 import pytest
 from short_passage import DLD, needs_solver
-from study.points import merged
+from study.planning.points import merged
 from test_resume import FOLLOWED, OPTIONS
 
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)

@@ -4,10 +4,10 @@ import math
 
 import pandas as pd
 from study import claims_boundary, claims_classes, claims_extent, claims_flow  # noqa: F401 (register checks)
-from study.boundary import UNDISPUTED
-from study.claims import CHECKS
-from study.grades import NOT_RUN, graded
-from study.readings import view
+from study.analysis.boundary import UNDISPUTED
+from study.paper.claims import CHECKS
+from study.paper.grades import NOT_RUN, graded
+from study.paper.readings import view
 
 SHIFTS = (2.0, 3.2, 3.6, 4.4, 5.2, 6.0, 6.8, 7.2, 8.0, 8.8)
 NUMBERS = (0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 1.0, 1.2, 1.5, 1.9, 2.4)

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import fake_solver
 import pytest
-from study import plan as planning
-from study.brackets import at_value, bracket
+from study.planning import plan as planning
+from study.planning.brackets import at_value, bracket
 
 ROOT = Path(__file__).resolve().parents[2]
 

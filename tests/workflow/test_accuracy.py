@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from study import accuracy, class_rules, frontier
+from study.analysis import accuracy, class_rules, frontier
 
 
 def test_frontier_keeps_what_nothing_dominates():

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from study.boundary import fit_boundary, law, undisputed
+from study.analysis.boundary import fit_boundary, law, undisputed
 
 TRUE = (2.9, 5.4, 1.72)
 SHIFTS = np.array([2.0, 3.2, 3.6, 4.4, 5.2, 6.0, 6.8, 7.2, 8.0, 8.8])

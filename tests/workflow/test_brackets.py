@@ -5,7 +5,7 @@ import subprocess
 import sys
 
 import pytest
-from study import brackets
+from study.planning import brackets
 
 CAPILLARY = {"name": "test", "axis": "capillary_number", "tolerance": 0.03, "levels": 5}
 ROW_SHIFT = {"name": "test", "axis": "row_shift_um", "step": 0.4, "levels": 5}
@@ -88,7 +88,7 @@ def test_row_shifts_are_narrowed_at_lattice_steps():
 
 def test_the_programs_share_runs_and_run_nothing_for_a_finished_bracket(root, study, tmp_path):
     """bracket_start, bracket_point and bracket_narrow with the made-up solver."""
-    from study import plan as planning
+    from study.planning import plan as planning
 
     plan = planning.load_plan(root / "params/studies/krueger2014.json", "smoke")
     (tmp_path / "plan.json").write_text(json.dumps(plan), encoding="utf-8")

@@ -6,8 +6,8 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from study import brinkman
-from study import cheap_models as models
+from study.analysis import cheap_models as models
+from study.numerics import brinkman
 
 ARRAY = models.Array(radius=10.0, pitch=32.0, depth=4.8, row_shift=8.0)
 

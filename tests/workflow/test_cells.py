@@ -6,7 +6,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from study import plan as planning
+from study.planning import plan as planning
 
 ROOT = Path(__file__).resolve().parents[2]
 DLD = Path(os.environ.get("DLD", ROOT / "build/dld"))

@@ -8,7 +8,7 @@ import subprocess
 
 import pytest
 from short_passage import DLD, PASSAGE, needs_solver
-from study.points import merged
+from study.planning.points import merged
 
 CASE = merged(PASSAGE, {"stop": {"max_rows": 1}})
 CIRCUMSTANCES = {

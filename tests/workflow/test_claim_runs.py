@@ -2,8 +2,8 @@
 
 import pandas as pd
 import pytest
-from study.claim_runs import case_of_run, judged, numbers_in, numbers_of, runs_of_claim
-from study.plan import load_plan, run_id
+from study.paper.claim_runs import case_of_run, judged, numbers_in, numbers_of, runs_of_claim
+from study.planning.plan import load_plan, run_id
 
 
 @pytest.fixture(scope="module")

@@ -7,10 +7,10 @@ import re
 import pandas as pd
 import pytest
 from study import claims_boundary, claims_classes, claims_extent, claims_flow  # noqa: F401 (register checks)
-from study.boundary import PARAMETERS, critical_capillary_number
-from study.claims import CHECKS, load_claims
-from study.grades import OTHERWISE
-from study.plan import read_json, validated
+from study.analysis.boundary import PARAMETERS, critical_capillary_number
+from study.paper.claims import CHECKS, load_claims
+from study.paper.grades import OTHERWISE
+from study.planning.plan import read_json, validated
 
 #: By what matters most: boundary, classes, D_perp, tweezer, separation law, flow, units.
 PAPER = [

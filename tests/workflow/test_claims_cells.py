@@ -3,8 +3,8 @@
 import pandas as pd
 import pytest
 from claim_tables import NUMBERS, SHIFTS, bracket, grade_of, judged, passage, tables
-from study.claims import Undecidable, load_claims
-from study.grades import CONTRADICTS, HOLDS, NOT_REPRODUCED, NOT_RUN, REPRODUCED
+from study.paper.claims import Undecidable, load_claims
+from study.paper.grades import CONTRADICTS, HOLDS, NOT_REPRODUCED, NOT_RUN, REPRODUCED
 
 
 @pytest.fixture(scope="module")

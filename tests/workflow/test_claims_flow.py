@@ -2,8 +2,8 @@
 
 import pytest
 from claim_tables import DEFAULT, grade_of, tables
-from study.claims import load_claims
-from study.grades import CONTRADICTS, HOLDS, NOT_REPRODUCED, REPRODUCED
+from study.paper.claims import load_claims
+from study.paper.grades import CONTRADICTS, HOLDS, NOT_REPRODUCED, REPRODUCED
 
 
 @pytest.fixture(scope="module")

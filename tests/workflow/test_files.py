@@ -8,7 +8,7 @@ import subprocess
 
 import pytest
 from short_passage import DLD, PASSAGE, needs_solver
-from study import plan as planning
+from study.planning import plan as planning
 
 
 def solver(folder, *words, **options):

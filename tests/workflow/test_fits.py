@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from study import fits
+from study.numerics import fits
 
 EPSILON = np.array([5, 8, 11, 13, 15, 17, 20, 22]) / 80
 

@@ -2,9 +2,9 @@
 
 import pytest
 from claim_tables import DEFAULT
-from study.claims import Finding
-from study.claims_page import page
-from study.grades import (
+from study.paper.claims import Finding
+from study.paper.claims_page import page
+from study.paper.grades import (
     CONTRADICTS,
     GRADES,
     HOLDS,

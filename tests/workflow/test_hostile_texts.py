@@ -6,10 +6,10 @@ import re
 
 import pytest
 from jinja2 import Environment, FileSystemLoader
-from study import plan as planning
-from study.claims_page import in_order
-from study.manuscript import typeset
-from study.tables import in_markdown
+from study.analysis.tables import in_markdown
+from study.paper.claims_page import in_order
+from study.paper.manuscript import typeset
+from study.planning import plan as planning
 
 HOSTILE = [
     "$(touch x)",

@@ -8,10 +8,11 @@ import pytest
 import yaml
 from conftest import ROOT
 from short_passage import DLD, PASSAGE, needs_solver
-from study import cluster_cost, plan, requests
-from study.crate import crate
-from study.points import merged
-from study.software import libraries, locked_packages, software_list
+from study.analysis import cluster_cost
+from study.analysis.crate import crate
+from study.analysis.software import libraries, locked_packages, software_list
+from study.planning import plan, requests
+from study.planning.points import merged
 
 LOCKS = ("requirements", "requirements-build", "requirements-cluster")
 

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pandas as pd
 import pytest
-from study import article_tables, manuscript
-from study.boundary import UNDISPUTED
-from study.plan import read_json
+from study.analysis.boundary import UNDISPUTED
+from study.paper import article_tables, manuscript
+from study.planning.plan import read_json
 
 ROOT = Path(__file__).resolve().parents[2]
 PAPER = ROOT / "paper"

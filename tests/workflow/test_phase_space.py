@@ -4,7 +4,7 @@ import json
 
 import pandas as pd
 import pytest
-from study.boundary import PARAMETERS, UNDISPUTED, law
+from study.analysis.boundary import PARAMETERS, UNDISPUTED, law
 
 TRUE = (3.1, 5.4, 1.72)
 SHIFTS = [4.4, 5.2, 6.0, 6.8, 7.2]

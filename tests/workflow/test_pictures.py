@@ -4,7 +4,7 @@ from io import BytesIO
 
 import numpy
 from PIL import Image
-from study.pictures import png_with_palette
+from study.drawing.pictures import png_with_palette
 
 
 def read_back(picture):

@@ -4,8 +4,8 @@ import copy
 import os
 
 import pytest
-from study import plan as planning
-from study.points import STUDY_GROUPS
+from study.planning import plan as planning
+from study.planning.points import STUDY_GROUPS
 
 GROUPS = {"streamlines", "stokes", "stretching", "passages", "boundary", "sensitivity", "sensitivity-flow"}
 GROUPS |= {

@@ -5,8 +5,8 @@ import os
 
 import pytest
 from short_passage import DLD, needs_solver
-from study import plan as planning
-from study.precheck import answers, cases_of, is_current, place_in, placed, seconds_of_runs
+from study.planning import plan as planning
+from study.planning.precheck import answers, cases_of, is_current, place_in, placed, seconds_of_runs
 
 CASE_SCHEMA = planning.read_json(planning.SCHEMAS / "case.schema.json")
 

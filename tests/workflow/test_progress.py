@@ -1,8 +1,8 @@
 """The time to go: jobs in words, what is learned from the jobs that are done, the line and the table."""
 
 import pytest
-from study import plan as planning
-from study.progress import BELIEF, NEEDED, Job, Progress, described, duration, with_index
+from study.planning import plan as planning
+from study.planning.progress import BELIEF, NEEDED, Job, Progress, described, duration, with_index
 
 
 @pytest.fixture(scope="module")

@@ -3,10 +3,10 @@
 import pandas as pd
 import pytest
 from claim_tables import DEFAULT, NUMBERS, SHIFTS, bracket, fit_rows, judged, passage, tables
-from study.claims import grid, load_claims
-from study.plan import read_json
-from study.points import merged
-from study.readings import class_within, view
+from study.paper.claims import grid, load_claims
+from study.paper.readings import class_within, view
+from study.planning.plan import read_json
+from study.planning.points import merged
 
 OTHER = {"id": "other", "sweep": "other", "series": "other"}
 FACTOR = DEFAULT | {"id": "ca-2", "capillary_factor": 2.0}

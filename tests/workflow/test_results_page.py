@@ -7,9 +7,9 @@ import subprocess
 import pandas as pd
 import pytest
 from conftest import ROOT
-from study import results_page
-from study.boundary import critical_capillary_number
-from study.tables import read_table
+from study.analysis.boundary import critical_capillary_number
+from study.analysis.tables import read_table
+from study.paper import results_page
 
 
 def committed(path, tmp_path):

@@ -9,7 +9,7 @@ import time
 import h5py
 import pytest
 from short_passage import DLD, PASSAGE, needs_solver
-from study.points import merged
+from study.planning.points import merged
 
 FOLLOWED = merged(PASSAGE, {"output": {"snapshots_per_row": 4}})
 OPTIONS = {

@@ -3,9 +3,9 @@
 import pandas as pd
 import pytest
 from short_passage import DLD, needs_solver
-from study.plan import SCHEMAS, load_plan, read_json
-from study.precheck import answers, seconds_of_runs
-from study.schedule import bracket_priority, case_priority, run_priorities
+from study.planning.plan import SCHEMAS, load_plan, read_json
+from study.planning.precheck import answers, seconds_of_runs
+from study.planning.schedule import bracket_priority, case_priority, run_priorities
 
 pytestmark = needs_solver
 

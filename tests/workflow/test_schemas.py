@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from jsonschema import Draft202012Validator
-from study import plan as planning
+from study.planning import plan as planning
 
 ROOT = Path(__file__).resolve().parents[2]
 DATA = ROOT / "tests/data"

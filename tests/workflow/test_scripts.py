@@ -5,9 +5,9 @@ import shutil
 
 import pandas as pd
 import pytest
-from study.grades import CONTRADICTS, GRADES, HOLDS, NOT_REPRODUCED, NOT_RUN, REPRODUCED
-from study.plan import read_json
-from study.wording import WORDS
+from study.paper.grades import CONTRADICTS, GRADES, HOLDS, NOT_REPRODUCED, NOT_RUN, REPRODUCED
+from study.paper.wording import WORDS
+from study.planning.plan import read_json
 
 EXPERIMENT = "params/experiment/tweezer_experiment.csv"
 EXPECTED = {

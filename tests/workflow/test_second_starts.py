@@ -1,7 +1,7 @@
 """Passages from a second start are set against the right ones and counted by what became of them."""
 
 import pandas as pd
-from study.second_starts import end_pairs, grid_pairs, rows_of
+from study.analysis.second_starts import end_pairs, grid_pairs, rows_of
 
 POINT = {"dx_um": 0.4, "lateral_flow": "free", "skalak_denominator": 12, "capillary_number": 0.5}
 

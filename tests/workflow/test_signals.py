@@ -1,5 +1,5 @@
-"""Runs that are stopped: within a second, with the exit code of what stopped them, and the run that goes on ends
-with the same bytes, wherever a signal, a kill or the end of the wall time came. Where the solver is built."""
+"""Runs that are stopped: within a second, with the exit code of what stopped them, and the run that goes on
+ends with the same bytes, wherever a signal, a kill or the end of the wall time came. Where the solver is built."""
 
 import json
 import random
@@ -9,7 +9,7 @@ import time
 
 import pytest
 from short_passage import DLD, PASSAGE, needs_solver
-from study.points import merged
+from study.planning.points import merged
 
 SPHERE = {"shape": "sphere", "radius_um": 3, "mesh_frequency": 3, "local_area_modulus": 1}
 SHORT = {

@@ -6,11 +6,11 @@ import sys
 
 import pandas as pd
 import pytest
-from study.passages import COLUMNS, row_of
-from study.plan import read_json, run_id
-from study.runs import passage_runs
-from study.spot_check import case_of, compared, drawn, texts
-from study.tables import read_table
+from study.analysis.passages import COLUMNS, row_of
+from study.analysis.runs import passage_runs
+from study.analysis.spot_check import case_of, compared, drawn, texts
+from study.analysis.tables import read_table
+from study.planning.plan import read_json, run_id
 
 ROW = {
     "sweep": "grid",

@@ -14,9 +14,9 @@ import h5py
 import numpy as np
 import pandas as pd
 import pytest
-from study import plan as planning
-from study.boundary import UNDISPUTED
-from study.stability import crossing, judge, maps
+from study.analysis.boundary import UNDISPUTED
+from study.planning import plan as planning
+from study.planning.stability import crossing, judge, maps
 
 ROOT = Path(__file__).resolve().parents[2]
 DLD = Path(os.environ.get("DLD", ROOT / "build/dld"))

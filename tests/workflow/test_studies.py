@@ -5,10 +5,10 @@ import subprocess
 import sys
 
 import pytest
-from study import plan as planning
-from study.arrays import case_parts
-from study.devices import circle_facts, pressure_gradient_bar_per_m
-from study.folders import PAPER, results_folder, study_file
+from study.analysis.devices import circle_facts, pressure_gradient_bar_per_m
+from study.planning import plan as planning
+from study.planning.arrays import case_parts
+from study.planning.folders import PAPER, results_folder, study_file
 
 CASE_SCHEMA = planning.read_json(planning.SCHEMAS / "case.schema.json")
 SMALL = {

@@ -4,7 +4,7 @@ import json
 
 import pandas as pd
 import pytest
-from study import style
+from study.drawing import style
 
 UNDISPUTED = ["ca_undisputed_displaced", "ca_undisputed_zigzag"]
 

@@ -4,7 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from fake_solver import sphere
-from study.surface import draw_from_above, outline, section
+from study.analysis.surface import draw_from_above, outline, section
 
 CENTRE = np.array([1.0, 2.0, 0.5])
 

@@ -4,7 +4,7 @@ import json
 
 import pandas as pd
 import pytest
-from study.boundary import UNDISPUTED
+from study.analysis.boundary import UNDISPUTED
 
 
 def bracket(folder, series, shift, kind, classes):

@@ -4,8 +4,8 @@ import copy
 import json
 
 import pytest
-from study import plan as planning
-from study.validation import load_json
+from study.planning import plan as planning
+from study.planning.validation import load_json
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ values stand in the state before, and joins them. A bracket that is done asks fo
 run nothing. The runs of a level go to the same folders as all others and are shared with them.
 """
 
-from study.schedule import bracket_priority, case_priority
+from study.planning.schedule import bracket_priority, case_priority
 
 BRACKETS = f"{RESULTS}/brackets"
 SIDES = ["low", "high"]
@@ -24,7 +24,7 @@ BOUNDARY_TABLES = expand(
     folder=TABLES,
     name=["phase_boundary", "boundary_points", "boundary_confirmation", "critical_row_shift"],
 )
-BRACKET_CODE = ["workflow/study/brackets.py"]  # the rest of the package does not change a bracket
+BRACKET_CODE = ["workflow/study/planning/brackets.py"]  # the rest of the package does not change a bracket
 
 
 def bracket_identity(wildcards):
@@ -62,7 +62,7 @@ rule bracket_start:
     input:
         plan=ancient(PLAN_FILE),
         runs=known_runs,
-        script=f"{SCRIPTS}/bracket_start.py",
+        script=f"{SCRIPTS}/planning/bracket_start.py",
         code=BRACKET_CODE,
     output:
         f"{BRACKETS}/{{bracket}}/level-0.json",
@@ -85,7 +85,7 @@ rule bracket_point:
         bracket=state_before,
         dld=ancient(DLD),
         runner=ancient(f"{SCRIPTS}/run_case"),
-        script=ancient(f"{SCRIPTS}/bracket_point.py"),
+        script=ancient(f"{SCRIPTS}/planning/bracket_point.py"),
     output:
         f"{BRACKETS}/{{bracket}}/level-{{level}}-{{side}}.json",
     wildcard_constraints:
@@ -113,7 +113,7 @@ rule bracket_narrow:
         plan=ancient(PLAN_FILE),
         bracket=state_before,
         points=[f"{BRACKETS}/{{bracket}}/level-{{level}}-{side}.json" for side in SIDES],
-        script=f"{SCRIPTS}/bracket_narrow.py",
+        script=f"{SCRIPTS}/planning/bracket_narrow.py",
         code=BRACKET_CODE,
     output:
         f"{BRACKETS}/{{bracket}}/level-{{level}}.json",
@@ -137,7 +137,7 @@ rule bracket_confirm:
         bracket=final_state,
         dld=ancient(DLD),
         runner=ancient(f"{SCRIPTS}/run_case"),
-        script=ancient(f"{SCRIPTS}/bracket_point.py"),
+        script=ancient(f"{SCRIPTS}/planning/bracket_point.py"),
     output:
         f"{BRACKETS}/{{bracket}}/confirm-{{label}}-{{side}}.json",
     wildcard_constraints:
@@ -165,8 +165,8 @@ rule boundary_tables:
     input:
         plan=PLAN_FILE,
         brackets=BRACKET_FILES + CONFIRMATION_FILES,
-        script=f"{SCRIPTS}/boundary_tables.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/boundary_tables.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/boundary_tables.py"),
     output:
         boundary=f"{TABLES}/phase_boundary.csv",
         points=f"{TABLES}/boundary_points.csv",

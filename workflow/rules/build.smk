@@ -6,7 +6,7 @@ soon as there is one: when the Snakefile is read, if the solver is up to date, e
 
 from pathlib import Path
 
-from study.precheck import is_current, seconds_of_runs
+from study.planning.precheck import is_current, seconds_of_runs
 
 # Another binary can be tried with --config dld=PATH.
 DLD = config.get("dld", "build/dld")
@@ -39,5 +39,5 @@ rule build:
         workflow/scripts/configure
         cmake --build build --target dld -j {threads}
         touch {output}
-        python {SCRIPTS}/check_plan.py --study {STUDY} --tier {TIER} --dld {output} --output {RESULTS}/expected_seconds.json
+        python {SCRIPTS}/planning/check_plan.py --study {STUDY} --tier {TIER} --dld {output} --output {RESULTS}/expected_seconds.json
         """

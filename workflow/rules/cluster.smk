@@ -3,7 +3,7 @@
     snakemake --profile workflow/profiles/slurm
 """
 
-from study import requests
+from study.planning import requests
 
 CASES = {run["id"]: run["case"] for run in PLAN["runs"]}
 

@@ -7,8 +7,8 @@ rule streamline_table:
     input:
         plan=PLAN_FILE,
         runs=of_runs("summary.json", "streamlines"),
-        script=f"{SCRIPTS}/streamline_table.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/streamline_table.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/streamline_table.py"),
     output:
         SEPARATION_TABLE,
     log:

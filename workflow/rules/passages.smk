@@ -12,8 +12,8 @@ rule passages_table:
         plan=PLAN_FILE,
         runs=of_runs("summary.json", "passages") + of_runs("run.h5", "passages"),
         brackets=BRACKET_FILES,
-        script=f"{SCRIPTS}/passages_table.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/passages_table.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/passages_table.py"),
     output:
         f"{TABLES}/passages.csv",
     log:
@@ -33,8 +33,8 @@ rule crossings_table:
         plan=PLAN_FILE,
         runs=of_runs("run.h5", "passages"),
         brackets=BRACKET_FILES,
-        script=f"{SCRIPTS}/crossings_table.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/crossings_table.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/crossings_table.py"),
     output:
         crossings=f"{TABLES}/crossings.csv",
         maps=f"{TABLES}/return_maps.csv",

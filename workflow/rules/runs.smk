@@ -7,7 +7,7 @@ than a job that it has to do, and would find a changed bracket behind the plan i
 """
 
 
-from study.schedule import run_priorities
+from study.planning.schedule import run_priorities
 
 RUN_PRIORITIES = run_priorities(PLAN, SECONDS)
 
@@ -21,7 +21,7 @@ rule solve:
     input:
         dld=ancient(DLD),
         plan=ancient(PLAN_FILE),
-        writer=ancient(f"{SCRIPTS}/write_case.py"),
+        writer=ancient(f"{SCRIPTS}/planning/write_case.py"),
         runner=ancient(f"{SCRIPTS}/run_case"),
     output:
         case=f"{RUNS}/{{run}}/case.json",

@@ -21,8 +21,8 @@ rule study_devices:
     input:
         plan=PLAN_FILE,
         runs=of_runs("run.h5", "streamlines") + of_runs("summary.json", "streamlines"),
-        script=f"{SCRIPTS}/study_devices.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/study_devices.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/study_devices.py"),
     output:
         devices=f"{TABLES}/devices.csv",
         lines=f"{TABLES}/device_lines.csv",
@@ -42,8 +42,8 @@ rule figure_devices:
         plan=PLAN_FILE,
         devices=rules.study_devices.output.devices,
         lines=rules.study_devices.output.lines,
-        script=f"{SCRIPTS}/fig_devices.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig_devices.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig_devices.py"),
     output:
         multiext(f"{FIGURES}/fig_devices", pdf=".pdf", png=".png"),
     log:
@@ -59,8 +59,8 @@ rule figure_study_separation:
     input:
         plan=PLAN_FILE,
         table=SEPARATION_TABLE,
-        script=f"{SCRIPTS}/fig_separation.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig_separation.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig_separation.py"),
     output:
         multiext(f"{FIGURES}/fig_separation", pdf=".pdf", png=".png"),
     log:
@@ -74,8 +74,8 @@ rule figure_study_phase_space:
         plan=PLAN_FILE,
         passages=rules.passages_table.output,
         boundary=rules.boundary_tables.output.boundary,
-        script=f"{SCRIPTS}/fig_study_phase_space.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig_study_phase_space.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig_study_phase_space.py"),
     output:
         multiext(f"{FIGURES}/fig_phase_space", pdf=".pdf", png=".png"),
     log:
@@ -92,8 +92,8 @@ rule study_window:
         plan=PLAN_FILE,
         boundary=rules.boundary_tables.output.boundary,
         devices=rules.study_devices.output.devices,
-        script=f"{SCRIPTS}/study_window.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/study_window.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/study_window.py"),
     output:
         f"{TABLES}/window.csv",
     log:
@@ -109,8 +109,8 @@ rule figure_window:
     input:
         plan=PLAN_FILE,
         window=rules.study_window.output,
-        script=f"{SCRIPTS}/fig_window.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig_window.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig_window.py"),
     output:
         multiext(f"{FIGURES}/fig_window", pdf=".pdf", png=".png"),
     log:
@@ -124,8 +124,8 @@ rule study_page:
         plan=PLAN_FILE,
         tables=STUDY_TABLES,
         figures=STUDY_FIGURE_FILES,
-        script=f"{SCRIPTS}/study_page.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/study_page.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/study_page.py"),
     output:
         STUDY_PAGE,
     log:

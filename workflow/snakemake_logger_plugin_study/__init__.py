@@ -11,7 +11,7 @@ from threading import Event, Thread
 
 from snakemake_interface_logger_plugins.base import LogHandlerBase
 from snakemake_interface_logger_plugins.common import LogEvent
-from study.progress import CURRENT, PLAN, described, duration
+from study.planning.progress import CURRENT, PLAN, described, duration
 
 EVERY_S = 60
 SHOWN = 15  # last lines of the log of a failed job
@@ -30,7 +30,7 @@ def say(text):
 
 
 class LogHandler(LogHandlerBase):
-    """Turns the events of Snakemake into the words of study.progress."""
+    """Turns the events of Snakemake into the words of study.planning.progress."""
 
     writes_to_stream = True
     writes_to_file = False

@@ -22,8 +22,8 @@ rule accuracy:
 rule accuracy_cheap_models:
     input:
         plan=PLAN_FILE,
-        script=f"{SCRIPTS}/accuracy_cheap_models.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/accuracy_cheap_models.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/accuracy_cheap_models.py"),
     output:
         f"{TABLES}/accuracy_cheap_models.csv",
     log:
@@ -38,8 +38,8 @@ rule accuracy_table:
         plan=PLAN_FILE,
         runs=of_runs("summary.json", *ACCURACY_GROUPS),
         cheap=rules.accuracy_cheap_models.output,
-        script=f"{SCRIPTS}/accuracy_table.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/accuracy_table.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/accuracy_table.py"),
     output:
         f"{TABLES}/accuracy_cost.csv",
     log:
@@ -57,8 +57,8 @@ rule settings_check:
     input:
         plan=PLAN_FILE,
         runs=of_runs("summary.json", "settings-check"),
-        script=f"{SCRIPTS}/settings_check.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/settings_check.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/settings_check.py"),
     output:
         f"{TABLES}/settings_check.csv",
     log:
@@ -74,8 +74,8 @@ rule accuracy_conclusions:
         plan=PLAN_FILE,
         table=rules.accuracy_table.output,
         check=rules.settings_check.output,
-        script=f"{SCRIPTS}/accuracy_conclusions.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/accuracy_conclusions.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/accuracy_conclusions.py"),
     output:
         f"{RESULTS}/accuracy_conclusions.md",
     log:
@@ -93,8 +93,8 @@ rule work_precision:
     input:
         plan=PLAN_FILE,
         table=rules.accuracy_table.output,
-        script=f"{SCRIPTS}/work_precision.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/work_precision.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/work_precision.py"),
     output:
         multiext(f"{FIGURES}/work_precision_{{study}}", pdf=".pdf", png=".png", csv=".csv"),
     log:
@@ -112,8 +112,8 @@ rule figure_convergence:
     input:
         plan=PLAN_FILE,
         table=rules.accuracy_table.output,
-        script=f"{SCRIPTS}/fig_convergence.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig_convergence.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig_convergence.py"),
     output:
         multiext(f"{FIGURES}/fig_convergence", pdf=".pdf", png=".png", csv=".csv"),
     log:
@@ -133,8 +133,8 @@ rule accuracy_class_table:
         passages=rules.passages_table.output,
         crossings=rules.crossings_table.output.crossings,
         summary=rules.a_priori.output.summary,
-        script=f"{SCRIPTS}/accuracy_class.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/accuracy_class.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/accuracy_class.py"),
     output:
         f"{TABLES}/accuracy_class.csv",
     log:
@@ -150,8 +150,8 @@ rule work_precision_class:
     input:
         plan=PLAN_FILE,
         table=rules.accuracy_class_table.output,
-        script=f"{SCRIPTS}/work_precision.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/work_precision.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/work_precision.py"),
     output:
         multiext(f"{FIGURES}/work_precision_class", pdf=".pdf", png=".png", csv=".csv"),
     log:
@@ -171,8 +171,8 @@ rule figure_speed_accuracy:
         uncertainty=rules.uncertainty_table.output,
         a_priori=rules.a_priori.output.table,
         times=rules.stage_times.output,
-        script=f"{SCRIPTS}/fig_speed_accuracy.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig_speed_accuracy.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig_speed_accuracy.py"),
     output:
         multiext(f"{FIGURES}/speed_accuracy", pdf=".pdf", png=".png", csv=".csv"),
     log:

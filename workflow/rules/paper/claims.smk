@@ -9,8 +9,8 @@ rule claims:
         claims=CLAIMS,
         tables=FLOW_TABLES + STRETCHING_TABLES + BOUNDARY_TABLES + PASSAGE_TABLES,
         experiment=EXPERIMENT,
-        script=f"{SCRIPTS}/claims_table.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/paper/claims_table.py",
+        modules=modules_of(f"{SCRIPTS}/paper/claims_table.py"),
     output:
         csv=CLAIM_FILES[0],
         md=CLAIM_FILES[1],

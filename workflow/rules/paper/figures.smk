@@ -13,8 +13,8 @@ rule array_lines:
     input:
         plan=PLAN_FILE,
         runs=of_runs("run.h5", "streamlines", "passages"),
-        script=f"{SCRIPTS}/array_lines.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/array_lines.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/array_lines.py"),
     output:
         f"{FIGURES}/fig01.csv",
     log:
@@ -29,8 +29,8 @@ rule figure_array:
     input:
         plan=PLAN_FILE,
         lines=rules.array_lines.output,
-        script=f"{SCRIPTS}/fig01_array.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig01_array.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig01_array.py"),
     output:
         multiext(f"{FIGURES}/fig01", pdf=".pdf", png=".png"),
     log:
@@ -42,8 +42,8 @@ rule figure_array:
 rule figure_geometry:
     input:
         plan=PLAN_FILE,
-        script=f"{SCRIPTS}/fig02_geometry.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig02_geometry.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig02_geometry.py"),
     output:
         multiext(f"{FIGURES}/fig02", pdf=".pdf", png=".png", csv=".csv"),
     log:
@@ -55,8 +55,8 @@ rule figure_geometry:
 rule figure_glossary:
     input:
         plan=PLAN_FILE,
-        script=f"{SCRIPTS}/fig_glossary.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig_glossary.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig_glossary.py"),
     output:
         multiext(f"{FIGURES}/glossary", pdf=".pdf", png=".png", csv=".csv"),
     log:
@@ -69,8 +69,8 @@ rule cell_shapes:
     input:
         plan=PLAN_FILE,
         runs=of_runs("run.h5", "passages", "stretching"),
-        script=f"{SCRIPTS}/cell_shapes.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/cell_shapes.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/cell_shapes.py"),
     output:
         fig03=f"{FIGURES}/fig03.csv",
         fig05=f"{FIGURES}/fig05_shapes.csv",
@@ -91,8 +91,8 @@ rule figure_mesh:
         plan=PLAN_FILE,
         shapes=rules.cell_shapes.output.fig03,
         faces=rules.cell_shapes.output.faces,
-        script=f"{SCRIPTS}/fig03_mesh.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig03_mesh.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig03_mesh.py"),
     output:
         multiext(f"{FIGURES}/fig03", pdf=".pdf", png=".png"),
     log:
@@ -108,8 +108,8 @@ rule flow_fields:
     input:
         plan=PLAN_FILE,
         runs=of_runs("run.h5", "streamlines"),
-        script=f"{SCRIPTS}/flow_fields.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/flow_fields.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/flow_fields.py"),
     output:
         fields=f"{FIGURES}/fig04.csv",
         separatrices=f"{FIGURES}/fig04_separatrices.csv",
@@ -129,8 +129,8 @@ rule figure_streamlines:
         plan=PLAN_FILE,
         fields=rules.flow_fields.output.fields,
         separatrices=rules.flow_fields.output.separatrices,
-        script=f"{SCRIPTS}/fig04_streamlines.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig04_streamlines.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig04_streamlines.py"),
     output:
         multiext(f"{FIGURES}/fig04", pdf=".pdf", png=".png"),
     log:
@@ -149,8 +149,8 @@ rule figure_tweezer:
         experiment=EXPERIMENT,
         shapes=rules.cell_shapes.output.fig05,
         faces=rules.cell_shapes.output.faces,
-        script=f"{SCRIPTS}/fig05_tweezer.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig05_tweezer.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig05_tweezer.py"),
     output:
         multiext(f"{FIGURES}/fig05", pdf=".pdf", png=".png", csv=".csv"),
     log:
@@ -166,8 +166,8 @@ rule trajectories:
     input:
         plan=PLAN_FILE,
         runs=of_runs("run.h5", "passages"),
-        script=f"{SCRIPTS}/trajectories.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/trajectories.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/trajectories.py"),
     output:
         f"{FIGURES}/fig06.csv",
     log:
@@ -183,8 +183,8 @@ rule figure_trajectories:
         plan=PLAN_FILE,
         trajectories=rules.trajectories.output,
         claims=CLAIMS,
-        script=f"{SCRIPTS}/fig06_trajectories.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig06_trajectories.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig06_trajectories.py"),
     output:
         multiext(f"{FIGURES}/fig06", pdf=".pdf", png=".png"),
     log:
@@ -200,8 +200,8 @@ rule figure_classes:
     input:
         plan=PLAN_FILE,
         table=rules.passages_table.output,
-        script=f"{SCRIPTS}/fig06_classes.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig06_classes.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig06_classes.py"),
     output:
         multiext(f"{FIGURES}/fig06_classes", pdf=".pdf", png=".png", csv=".csv"),
     log:
@@ -220,8 +220,8 @@ rule figure_phase_space:
         boundary=rules.boundary_tables.output.boundary,
         fits=rules.boundary_fits.output,
         claims=CLAIMS,
-        script=f"{SCRIPTS}/fig07_phase_space.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig07_phase_space.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig07_phase_space.py"),
     output:
         multiext(f"{FIGURES}/fig07", pdf=".pdf", png=".png", csv=".csv"),
     log:
@@ -239,8 +239,8 @@ rule figure_separation:
         table=rules.streamline_table.output,
         fits=rules.separation_law_fits.output,
         claims=CLAIMS,
-        script=f"{SCRIPTS}/table01_separation.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/table01_separation.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/table01_separation.py"),
     output:
         multiext(f"{FIGURES}/table01", pdf=".pdf", png=".png", csv=".csv"),
     log:
@@ -256,8 +256,8 @@ rule gap_sections:
     input:
         plan=PLAN_FILE,
         runs=of_runs("run.h5", "passages"),
-        script=f"{SCRIPTS}/gap_sections.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/gap_sections.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/gap_sections.py"),
     output:
         shapes=f"{FIGURES}/fig08_shapes.csv",
         outlines=f"{FIGURES}/fig08_outlines.csv",
@@ -282,8 +282,8 @@ rule figure_shapes:
         faces=rules.gap_sections.output.faces,
         numbers=rules.gap_sections.output.numbers,
         separation=rules.streamline_table.output,
-        script=f"{SCRIPTS}/fig08_shapes.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig08_shapes.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig08_shapes.py"),
     output:
         multiext(f"{FIGURES}/fig08", pdf=".pdf", png=".png"),
     log:
@@ -300,8 +300,8 @@ rule animation_outlines:
     input:
         plan=PLAN_FILE,
         runs=of_runs("run.h5", "passages"),
-        script=f"{SCRIPTS}/animation_outlines.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/animation_outlines.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/animation_outlines.py"),
     output:
         f"{FIGURES}/animation.csv",
     log:
@@ -316,8 +316,8 @@ rule animation:
     input:
         plan=PLAN_FILE,
         outlines=rules.animation_outlines.output,
-        script=f"{SCRIPTS}/animation.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/animation.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/animation.py"),
     output:
         f"{FIGURES}/animation_{{name}}.gif",
     log:

@@ -15,8 +15,8 @@ rule figure_extent_row_shift:
         table=rules.passages_table.output,
         fits=rules.boundary_fits.output,
         claims=CLAIMS,
-        script=f"{SCRIPTS}/fig09_extent_row_shift.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig09_extent_row_shift.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig09_extent_row_shift.py"),
     output:
         multiext(f"{FIGURES}/fig09", pdf=".pdf", png=".png", csv=".csv"),
         factors=f"{FIGURES}/fig09_factors.csv",
@@ -35,8 +35,8 @@ rule figure_extent_capillary:
         table=rules.passages_table.output,
         stretching=rules.stretching_table.output,
         claims=CLAIMS,
-        script=f"{SCRIPTS}/fig10_extent_capillary.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig10_extent_capillary.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig10_extent_capillary.py"),
     output:
         multiext(f"{FIGURES}/fig10", pdf=".pdf", png=".png", csv=".csv"),
     log:
@@ -52,8 +52,8 @@ rule figure_return_maps:
     input:
         plan=PLAN_FILE,
         table=rules.crossings_table.output.maps,
-        script=f"{SCRIPTS}/fig_return_maps.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig_return_maps.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig_return_maps.py"),
     output:
         multiext(f"{FIGURES}/fig_return_maps", pdf=".pdf", png=".png", csv=".csv"),
     log:
@@ -66,8 +66,8 @@ rule figure_film:
     input:
         plan=PLAN_FILE,
         table=rules.passages_table.output,
-        script=f"{SCRIPTS}/fig_film.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig_film.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig_film.py"),
     output:
         multiext(f"{FIGURES}/fig_film", pdf=".pdf", png=".png", csv=".csv"),
     log:
@@ -83,8 +83,8 @@ rule figure_speed:
         crossings=rules.crossings_table.output.crossings,
         boundary=rules.boundary_tables.output.boundary,
         claims=CLAIMS,
-        script=f"{SCRIPTS}/fig_speed.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig_speed.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig_speed.py"),
     output:
         multiext(f"{FIGURES}/fig_speed", pdf=".pdf", png=".png", csv=".csv"),
     log:
@@ -101,8 +101,8 @@ rule figure_a_priori:
         plan=PLAN_FILE,
         table=rules.a_priori.output.table,
         summary=rules.a_priori.output.summary,
-        script=f"{SCRIPTS}/fig_a_priori.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig_a_priori.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig_a_priori.py"),
     output:
         multiext(f"{FIGURES}/fig_a_priori", pdf=".pdf", png=".png", csv=".csv"),
     log:
@@ -118,8 +118,8 @@ rule figure_sensitivity:
     input:
         plan=PLAN_FILE,
         table=rules.sensitivity_table.output,
-        script=f"{SCRIPTS}/fig_sensitivity.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig_sensitivity.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig_sensitivity.py"),
     output:
         multiext(f"{FIGURES}/fig_sensitivity", pdf=".pdf", png=".png", csv=".csv"),
     log:

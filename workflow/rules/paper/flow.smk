@@ -9,8 +9,8 @@ rule separation_law_fits:
     input:
         table=rules.streamline_table.output,
         claims=CLAIMS,
-        script=f"{SCRIPTS}/separation_law_fits.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/separation_law_fits.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/separation_law_fits.py"),
     output:
         f"{TABLES}/fits_separation.csv",
     log:
@@ -23,8 +23,8 @@ rule stokes_checks:
     input:
         plan=PLAN_FILE,
         runs=of_runs("summary.json", "stokes") + of_runs("run.h5", "stokes"),
-        script=f"{SCRIPTS}/stokes_checks.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/stokes_checks.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/stokes_checks.py"),
     output:
         f"{TABLES}/stokes_checks.csv",
     log:
@@ -39,8 +39,8 @@ rule units_table:
     input:
         table=rules.streamline_table.output,
         claims=CLAIMS,
-        script=f"{SCRIPTS}/units_table.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/units_table.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/units_table.py"),
     output:
         f"{TABLES}/units.csv",
     log:

@@ -32,8 +32,8 @@ rule build_bending_laws:
 rule bending_laws_table:
     input:
         program=rules.build_bending_laws.output,
-        script=f"{SCRIPTS}/bending_laws_table.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/bending_laws_table.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/bending_laws_table.py"),
     output:
         f"{TABLES}/bending_laws.csv",
     log:

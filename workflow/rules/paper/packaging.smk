@@ -5,7 +5,7 @@ software.cdx.json is the list of the software with versions, hashes and licences
 says what each file of the results is, with its checksum (RO-Crate 1.1); it describes what is there when it is made.
 """
 
-from study.plan import load_study
+from study.planning.plan import load_study
 
 
 rule software_list:
@@ -13,8 +13,8 @@ rule software_list:
         lock="workflow/requirements.txt",
         libraries="workflow/libraries.csv",
         cmake="CMakeLists.txt",
-        script=f"{SCRIPTS}/software_list.py",
-        code="workflow/study/software.py",
+        script=f"{SCRIPTS}/analysis/software_list.py",
+        code="workflow/study/analysis/software.py",
     output:
         f"{RESULTS}/software.cdx.json",
     log:
@@ -29,8 +29,8 @@ rule crate:
         figures=FIGURE_FILES + EXTENT_FIGURES,
         claims=CLAIM_FILES,
         software=rules.software_list.output,
-        script=f"{SCRIPTS}/ro_crate.py",
-        code="workflow/study/crate.py",
+        script=f"{SCRIPTS}/analysis/ro_crate.py",
+        code="workflow/study/analysis/crate.py",
     output:
         f"{RESULTS}/ro-crate-metadata.json",
     log:
@@ -46,8 +46,8 @@ rule cluster_cost:
     input:
         passages=f"{TABLES}/passages.csv",
         stages=f"{TABLES}/stage_times.csv",
-        script=f"{SCRIPTS}/cluster_cost.py",
-        code=["workflow/study/cluster_cost.py", "workflow/study/requests.py"],
+        script=f"{SCRIPTS}/analysis/cluster_cost.py",
+        code=["workflow/study/analysis/cluster_cost.py", "workflow/study/planning/requests.py"],
     params:
         page="docs/cluster.md",
     shell:

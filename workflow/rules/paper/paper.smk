@@ -32,8 +32,8 @@ rule paper_numbers:
         claims=CLAIMS,
         schema="workflow/schemas/case.schema.json",
         plan=PLAN_FILE,
-        script=f"{SCRIPTS}/paper_numbers.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/paper/paper_numbers.py",
+        modules=modules_of(f"{SCRIPTS}/paper/paper_numbers.py"),
     output:
         f"{GENERATED}/numbers.tex",
         expand("{folder}/table_{name}.tex", folder=GENERATED, name=PAPER_TABLES),

@@ -11,8 +11,8 @@ rule boundary_fits:
         table=rules.boundary_tables.output.boundary,
         separation=rules.separation_law_fits.output,
         claims=CLAIMS,
-        script=f"{SCRIPTS}/boundary_fits.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/boundary_fits.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/boundary_fits.py"),
     output:
         f"{TABLES}/fits.csv",
     log:
@@ -29,8 +29,8 @@ rule second_starts:
     input:
         passages=rules.passages_table.output,
         confirmation=rules.boundary_tables.output.confirmation,
-        script=f"{SCRIPTS}/second_starts_table.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/second_starts_table.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/second_starts_table.py"),
     output:
         f"{TABLES}/second_starts.csv",
     log:
@@ -49,8 +49,8 @@ rule a_priori:
         stretching=rules.stretching_table.output,
         claims=CLAIMS,
         runs=of_runs("summary.json", "streamlines"),
-        script=f"{SCRIPTS}/a_priori_table.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/a_priori_table.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/a_priori_table.py"),
     output:
         table=f"{TABLES}/a_priori.csv",
         summary=f"{TABLES}/a_priori_summary.csv",

@@ -33,8 +33,8 @@ rule performance_figure:
     input:
         plan=PLAN_FILE,
         table=rules.performance_table.output,
-        script=f"{SCRIPTS}/performance_figure.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/performance_figure.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/performance_figure.py"),
     output:
         multiext(f"{FIGURES}/performance", pdf=".pdf", png=".png", csv=".csv"),
     log:

@@ -24,8 +24,8 @@ rule report_data:
         plan=PLAN_FILE,
         runs=of_runs("run.h5", *REPORT_GROUPS),
         brackets=BRACKET_FILES,
-        script=f"{SCRIPTS}/report_data.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/paper/report_data.py",
+        modules=modules_of(f"{SCRIPTS}/paper/report_data.py"),
     output:
         trajectories=f"{TABLES}/thumbnails.csv",
         provenance=f"{TABLES}/provenance.csv",
@@ -54,8 +54,8 @@ rule report:
         captions="workflow/templates/figures.toml",
         template="workflow/templates/report.html.j2",
         parts=expand("workflow/templates/report.{ext}", ext=["css", "js"]),
-        script=f"{SCRIPTS}/report.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/paper/report.py",
+        modules=modules_of(f"{SCRIPTS}/paper/report.py"),
     output:
         REPORT_FILES[0],
     log:
@@ -81,8 +81,8 @@ rule results_page:
         claims=CLAIMS,
         numbers="paper/numbers.toml",
         template="workflow/templates/results.md.j2",
-        script=f"{SCRIPTS}/results_page.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/paper/results_page.py",
+        modules=modules_of(f"{SCRIPTS}/paper/results_page.py"),
     output:
         RESULTS_PAGE,
     log:
@@ -103,8 +103,8 @@ rule results_page:
 rule readme:
     input:
         verdicts=rules.claims.output.csv,
-        script=f"{SCRIPTS}/readme_verdicts.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/paper/readme_verdicts.py",
+        modules=modules_of(f"{SCRIPTS}/paper/readme_verdicts.py"),
     log:
         f"{LOGS}/readme.log",
     shell:

@@ -9,8 +9,8 @@ rule sensitivity_table:
         plan=PLAN_FILE,
         runs=of_runs("summary.json", "sensitivity", "sensitivity-flow") + of_runs("run.h5", "sensitivity"),
         boundary=rules.boundary_tables.output.boundary,
-        script=f"{SCRIPTS}/sensitivity_table.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/sensitivity_table.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/sensitivity_table.py"),
     output:
         f"{TABLES}/sensitivity.csv",
     log:
@@ -29,8 +29,8 @@ rule stage_times:
         plan=PLAN_FILE,
         runs=ALL_RUNS,
         brackets=BRACKET_FILES + CONFIRMATION_FILES,
-        script=f"{SCRIPTS}/stage_times.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/stage_times.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/stage_times.py"),
     output:
         f"{TABLES}/stage_times.csv",
     log:

@@ -12,8 +12,8 @@ In the same way `bash workflow/reproduce claim=d-perp-6.8` makes the runs behind
 
 import pandas as pd
 
-from study.claim_runs import runs_of_claim
-from study.spot_check import drawn
+from study.paper.claim_runs import runs_of_claim
+from study.analysis.spot_check import drawn
 
 SPOT = f"{RESULTS}/spot_check"
 COMMITTED_PASSAGES = f"{TABLES}/passages.csv"
@@ -45,7 +45,7 @@ def committed_row(wildcards):
 rule spot_check:
     input:
         results=spot_results,
-        script=f"{SCRIPTS}/spot_check.py",
+        script=f"{SCRIPTS}/analysis/spot_check.py",
     params:
         table=f"{SPOT}/spot_check.csv",  # beside the committed one
     shell:
@@ -55,7 +55,7 @@ rule spot_check:
 rule claim:
     input:
         results=claim_results,
-        script=f"{SCRIPTS}/spot_check.py",
+        script=f"{SCRIPTS}/analysis/spot_check.py",
     params:
         table=f"{SPOT}/claim.csv",
     shell:
@@ -67,8 +67,8 @@ rule spot_run:
         dld=DLD,
         plan=ancient(PLAN_FILE),
         runner=ancient(f"{SCRIPTS}/run_case"),
-        script=f"{SCRIPTS}/spot_run.py",
-        code=["workflow/study/spot_check.py", "workflow/study/claim_runs.py", "workflow/study/passages.py"],
+        script=f"{SCRIPTS}/planning/spot_run.py",
+        code=["workflow/study/analysis/spot_check.py", "workflow/study/paper/claim_runs.py", "workflow/study/analysis/passages.py"],
     output:
         f"{SPOT}/{{run}}.json",
     log:

@@ -14,8 +14,8 @@ rule stability_table:
     input:
         plan=PLAN_FILE,
         runs=of_runs("summary.json", "stability"),
-        script=f"{SCRIPTS}/stability_table.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/stability_table.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/stability_table.py"),
     output:
         f"{TABLES}/stability.csv",
     log:
@@ -30,8 +30,8 @@ rule stability_figure:
     input:
         plan=PLAN_FILE,
         table=f"{TABLES}/stability.csv",
-        script=f"{SCRIPTS}/stability_figure.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/stability_figure.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/stability_figure.py"),
     output:
         csv=f"{FIGURES}/stability.csv",
         pdf=f"{FIGURES}/stability.pdf",
@@ -51,8 +51,8 @@ rule stability_figure_all:
     input:
         plan=PLAN_FILE,
         table=f"{TABLES}/stability.csv",
-        script=f"{SCRIPTS}/stability_figure.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/stability_figure.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/stability_figure.py"),
     output:
         csv=f"{FIGURES}/stability_all.csv",
         pdf=f"{FIGURES}/stability_all.pdf",
@@ -72,8 +72,8 @@ rule long_run_table:
     input:
         plan=PLAN_FILE,
         runs=of_runs("summary.json", "long-run") + of_runs("run.h5", "long-run"),
-        script=f"{SCRIPTS}/stability_long_run_table.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/stability_long_run_table.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/stability_long_run_table.py"),
     output:
         f"{TABLES}/long_run.csv",
     log:
@@ -88,8 +88,8 @@ rule long_run_figure:
     input:
         plan=PLAN_FILE,
         table=f"{TABLES}/long_run.csv",
-        script=f"{SCRIPTS}/stability_long_run_figure.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/stability_long_run_figure.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/stability_long_run_figure.py"),
     output:
         csv=f"{FIGURES}/long_run.csv",
         pdf=f"{FIGURES}/long_run.pdf",

@@ -10,8 +10,8 @@ rule stretching_table:
     input:
         plan=PLAN_FILE,
         runs=of_runs("summary.json", "stretching"),
-        script=f"{SCRIPTS}/stretching_table.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/stretching_table.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/stretching_table.py"),
     output:
         f"{TABLES}/stretching.csv",
     log:
@@ -26,8 +26,8 @@ rule stretching_comparison:
     input:
         table=rules.stretching_table.output,
         experiment=EXPERIMENT,
-        script=f"{SCRIPTS}/stretching_comparison.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/stretching_comparison.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/stretching_comparison.py"),
     output:
         f"{TABLES}/stretching_comparison.csv",
     log:

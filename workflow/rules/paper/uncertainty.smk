@@ -11,8 +11,8 @@ rule uncertainty_table:
     input:
         plan=PLAN_FILE,
         brackets=[f"{BRACKETS}/{name}/level-{bracket['levels']}.json" for name, bracket in PLAN["brackets"].items()],
-        script=f"{SCRIPTS}/boundary_uncertainty.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/analysis/boundary_uncertainty.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/boundary_uncertainty.py"),
     output:
         UNCERTAINTY_TABLE,
     log:
@@ -28,8 +28,8 @@ rule figure_uncertainty:
         plan=PLAN_FILE,
         table=rules.uncertainty_table.output,
         claims=CLAIMS,
-        script=f"{SCRIPTS}/fig_boundary_uncertainty.py",
-        package=PACKAGE,
+        script=f"{SCRIPTS}/drawing/fig_boundary_uncertainty.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig_boundary_uncertainty.py"),
     output:
         multiext(f"{FIGURES}/boundary_uncertainty", pdf=".pdf", png=".png", csv=".csv"),
     log:

@@ -9,8 +9,8 @@ from collections import defaultdict
 
 import numpy as np
 
-from study.frontier import limit, on_frontier
-from study.classes import DECIDED
+from study.analysis.frontier import limit, on_frontier
+from study.planning.classes import DECIDED
 
 #: What is judged in each study: {error kind: (name in the summary, relative)}.
 OBSERVABLES = {

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.interpolate import PchipInterpolator
 
-from study import brinkman
+from study.numerics import brinkman
 
 VISCOSITY_PA_S = 1e-3
 METRES_PER_UM = 1e-6

@@ -6,9 +6,9 @@ the passage; how far that is from the device's is the matter of the other studie
 
 import numpy as np
 
-from study.accuracy import ALL
-from study.classes import DECIDED
-from study.second_starts import grid_pairs
+from study.analysis.accuracy import ALL
+from study.analysis.second_starts import grid_pairs
+from study.planning.classes import DECIDED
 
 KIND = "class, share of wrong ones"
 LINES = (1, 2, 3, 4, 5, 6, 8, 10)

@@ -3,10 +3,10 @@
 import numpy as np
 import pandas as pd
 
-from study.boundary import PARAMETERS, UNDISPUTED, critical_capillary_number
-from study.claims import SWEEP
-from study.claims_page import column_of
-from study.grades import GRADES
+from study.analysis.boundary import PARAMETERS, UNDISPUTED, critical_capillary_number
+from study.paper.claims import SWEEP
+from study.paper.claims_page import column_of
+from study.paper.grades import GRADES
 
 EXTENTS_UM = 6.8  # row shift (um) of the printed extents
 

@@ -5,7 +5,7 @@ the numbers of their rows. A run that stands in no table by itself, such as thos
 compared with the study's own run where that is there.
 """
 
-from study.spot_check import ALIKE, CLOSE, OTHER, SAME, case_of
+from study.analysis.spot_check import ALIKE, CLOSE, OTHER, SAME, case_of
 
 #: Table of a scene: its numbers by the key of the summary, with their format.
 NUMBERS = {

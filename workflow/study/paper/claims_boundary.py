@@ -2,9 +2,8 @@
 
 import numpy as np
 
-from study.boundary import PARAMETERS, UNDISPUTED, law
-from study.brackets import FROM_CELLS
-from study.claims import (
+from study.analysis.boundary import PARAMETERS, UNDISPUTED, law
+from study.paper.claims import (
     PAPER_RANGE,
     SERIES,
     SWEEP,
@@ -18,8 +17,9 @@ from study.claims import (
     runs_of,
     statements_that_hold,
 )
-from study.claims_classes import OTHERS, near_boundary
-from study.classes import DECIDED
+from study.paper.claims_classes import OTHERS, near_boundary
+from study.planning.brackets import FROM_CELLS
+from study.planning.classes import DECIDED
 
 ENOUGH_CELLS = 40  # a third of the paper's phase space
 

@@ -4,7 +4,7 @@ import math
 from itertools import groupby
 from operator import attrgetter
 
-from study.claims import (
+from study.paper.claims import (
     SERIES,
     Finding,
     Undecidable,
@@ -16,7 +16,7 @@ from study.claims import (
     runs_of,
     statements_that_hold,
 )
-from study.classes import DECIDED
+from study.planning.classes import DECIDED
 
 # Series of brackets that stand beside the default.
 OTHERS = ("corrected", "refined", "reference", "blocked", "blocked-corrected")

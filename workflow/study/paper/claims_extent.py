@@ -3,7 +3,8 @@ on one curve, next to the pillar, as in the tweezer, with inertia."""
 
 import numpy as np
 
-from study.claims import (
+from study.analysis.tweezer import TweezerCurve
+from study.paper.claims import (
     LATTICE_UM,
     SWEEP,
     Finding,
@@ -15,9 +16,8 @@ from study.claims import (
     ranged,
     runs_of,
 )
-from study.claims_boundary import ENOUGH_CELLS
-from study.classes import DECIDED
-from study.tweezer import TweezerCurve
+from study.paper.claims_boundary import ENOUGH_CELLS
+from study.planning.classes import DECIDED
 
 DENOMINATOR = 12  # default of the study
 INSIDE, OUTSIDE = 4, 3  # row shifts that tell of a window: two thirds of the paper's at least

@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 
-from study.claims import (
+from study.numerics.fits import chi_squared
+from study.paper.claims import (
     Finding,
     Undecidable,
     at_paper_lattice,
@@ -14,7 +15,6 @@ from study.claims import (
     runs_of,
     statements_that_hold,
 )
-from study.fits import chi_squared
 
 
 def flow_rows(tables, variant="paper"):

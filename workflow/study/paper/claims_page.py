@@ -3,8 +3,8 @@ beside the print, their grades in the other readings, and on what they rest."""
 
 from collections import Counter
 
-from study.grades import CONTRADICTS, GRADES, HOLDS, NOT_DECIDED, NOT_REPRODUCED, NOT_RUN, REPRODUCED
-from study.tables import markdown_table
+from study.analysis.tables import markdown_table
+from study.paper.grades import CONTRADICTS, GRADES, HOLDS, NOT_DECIDED, NOT_REPRODUCED, NOT_RUN, REPRODUCED
 
 RUNS_SHOWN = 4  # the CSV file has all
 #: Grades in the narrow table of all readings.

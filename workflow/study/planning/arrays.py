@@ -2,7 +2,7 @@
 
 import json
 
-from study.validation import hint
+from study.planning.validation import hint
 
 
 def case_parts(study, folder):

@@ -9,7 +9,7 @@ runs. Nothing here runs or reads a file: points are dictionaries {value, class, 
 import copy
 import math
 
-from study.classes import DECIDED
+from study.planning.classes import DECIDED
 
 #: Where the value of an axis stands in a case.
 AXES = {"capillary_number": ("cell", "capillary_number"), "row_shift_um": ("geometry", "row_shift_um")}

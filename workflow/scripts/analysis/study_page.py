@@ -1,0 +1,174 @@
+"""The page of a study: what it asks, its devices and cells, what came out, and what it cost."""
+
+from pathlib import Path
+
+import pandas as pd
+from study.analysis.arguments import required_arguments
+from study.analysis.devices import shear_modulus
+from study.analysis.tables import markdown_table, read_table
+from study.planning.plan import read_json
+
+TITLES = {
+    "fig_devices": "The devices. Grey: pillars. The lines divide the flow between them.",
+    "fig_separation": "Separation distance against the relative row shift.",
+    "fig_phase_space": "What the cells do. The green bars are brackets of the boundary.",
+    "fig_window": "The window in which the device tells the cells apart.",
+}
+
+
+def device_lines(devices):
+    """What the devices are."""
+    rows = [
+        [
+            row.device,
+            f"{row.pitch_x_um:g} x {row.pitch_y_um:g}",
+            f"{row.gap_um:.4g}",
+            f"{row.depth_um:g}",
+            f"{row.length_scale_um:.4g}",
+            f"{100 * row.open_share:.1f} %",
+        ]
+        for row in devices.itertuples()
+    ]
+    return markdown_table(
+        ["device", "pitch (µm)", "gap G (µm)", "depth H (µm)", "l = √(GH) (µm)", "open"], rows
+    )
+
+
+def separation_lines(separation):
+    """The best value of s for every device and row shift: a limit where there is one."""
+    good = separation[separation.status == "converged"].sort_values("dx_um")
+    best = good.groupby(["device", "row_shift_um"]).first().reset_index()
+
+    def with_error(value, error):
+        return f"{value:.3f}" + (f" ± {error:.3f}" if pd.notna(error) else "")
+
+    rows = [
+        [
+            row.device,
+            f"{row.row_shift_um:g}",
+            f"{row.epsilon:.4g}",
+            row.variant,
+            with_error(row.s_um, row.s_uncertainty_um),
+            with_error(row.s_upper_um, row.s_upper_uncertainty_um),
+            f"{row.resistance_Pa_s_per_m2:.4g}",
+        ]
+        for row in best.itertuples()
+    ]
+    titles = ["device", "d (µm)", "ε", "lattice", "s at the pillar below (µm)", "s at the pillar above (µm)"]
+    return markdown_table([*titles, "resistance (Pa s/m²)"], rows)
+
+
+def boundary_lines(boundary):
+    """The brackets of the critical capillary number."""
+
+    def end(value):
+        return f"{value:.3g}" if pd.notna(value) else "none"
+
+    rows = [
+        [row.device, row.cell, f"{row.row_shift_um:g}", end(row.ca_displaced), end(row.ca_zigzag), row.status]
+        for row in boundary.sort_values(["device", "cell", "row_shift_um"]).itertuples()
+    ]
+    return markdown_table(
+        ["device", "cell", "d (µm)", "displaced up to Ca", "zigzag from Ca", "bracket"], rows
+    )
+
+
+def class_lines(passages):
+    """What the cell does at each point of the sweeps, one column a sweep, with its extent."""
+    grids = passages[~passages.sweep.str.startswith("boundary/")]
+    sweeps = list(dict.fromkeys(grids.sweep))
+    texts = grids.assign(
+        text=[
+            name + (f", {extent:.2f} µm" if pd.notna(extent) else "")
+            for name, extent in zip(grids["class"], grids.d_perp_um, strict=True)
+        ]
+    )
+    table = texts.pivot_table(
+        index=["row_shift_um", "capillary_number"], columns="sweep", values="text", aggfunc="first"
+    )
+    rows = [
+        [f"{shift:g}", f"{ca:.3g}", *(row.get(sweep) if pd.notna(row.get(sweep)) else "" for sweep in sweeps)]
+        for (shift, ca), row in table.iterrows()
+    ]
+    return markdown_table(["d (µm)", "Ca", *sweeps], rows)
+
+
+def window_lines(window):
+    """The windows between two cells."""
+    rows = [
+        [
+            row.device,
+            f"{row.row_shift_um:g}",
+            row.zigzag_cell,
+            row.displaced_cell,
+            f"{row.from_bar_per_m:.3g}",
+            f"{row.to_bar_per_m:.3g}",
+        ]
+        for row in window.itertuples()
+    ]
+    titles = ["device", "d (µm)", "zigzags", "is displaced", "from (bar/m)", "to (bar/m)"]
+    return markdown_table(titles, rows)
+
+
+def cell_lines(plan):
+    """What the cells are."""
+    rows = [
+        [
+            name,
+            entry.get("type", "the solver's default"),
+            f"{kS:g}" if (kS := shear_modulus(plan, name)) else "",
+            ", ".join(f"{key} = {value}" for key, value in entry.get("cell", {}).items()),
+        ]
+        for name, entry in plan["cells"].items()
+    ]
+    return markdown_table(["cell", "type", "shear modulus kS (µN/m)", "other settings"], rows)
+
+
+def picture(name, folder):
+    """A figure with its caption; nothing if it was not made."""
+    if not (Path(folder) / "figures" / f"{name}.png").exists():
+        return []
+    return [f"![{TITLES[name]}](figures/{name}.png)", "", f"*{TITLES[name]}*", ""]
+
+
+def main():
+    arguments = required_arguments(__doc__, "plan", "tables", "name", "output")
+    plan, folder = read_json(arguments.plan), Path(arguments.output).parent
+    tables = {path.stem: read_table(path) for path in sorted(Path(arguments.tables).glob("*.csv"))}
+    lines = [f"# {plan['study']}", "", plan["purpose"], ""]
+    lines += [f"**{plan['note']}**", ""] if plan["note"] else []
+    lines += [f"Made by `bash workflow/reproduce --config study={arguments.name}` from "]
+    lines[-1] += f"[params/studies/{arguments.name}.json](../../params/studies/{arguments.name}.json)."
+    lines += ["Words are explained in [docs/glossary.md](../../docs/glossary.md).", ""]
+    lines += ["## Devices and cells", ""]
+    if "devices" in tables:
+        lines += [*picture("fig_devices", folder), *device_lines(tables["devices"]), ""]
+    lines += [*cell_lines(plan), ""]
+    if "streamline_separation" in tables:
+        lines += ["## Flow without cells", "", *picture("fig_separation", folder)]
+        lines += [*separation_lines(tables["streamline_separation"]), ""]
+    if "passages" in tables:
+        counts = tables["passages"]["class"].value_counts()
+        lines += ["## Cells in the device", "", *picture("fig_phase_space", folder)]
+        lines += [
+            f"{len(tables['passages'])} passages: "
+            + ", ".join(f"{n} {name}" for name, n in counts.items())
+            + "."
+        ]
+        if "phase_boundary" in tables and len(tables["phase_boundary"]):
+            lines += ["", "### Critical capillary number", "", *boundary_lines(tables["phase_boundary"])]
+        if "window" in tables and len(tables["window"]):
+            lines += ["", "### Pressure", "", *picture("fig_window", folder), *window_lines(tables["window"])]
+        lines += ["", "### Every point of the sweeps", ""]
+        lines += [
+            "Class of the trajectory and lateral extent D_perp.",
+            "",
+            *class_lines(tables["passages"]),
+            "",
+        ]
+        work = tables["passages"].node_updates.sum()
+        lines += [f"Work of the passages: {work:.3g} updates of a lattice node.", ""]
+    Path(arguments.output).write_text("\n".join(lines), encoding="utf-8")
+
+
+main()

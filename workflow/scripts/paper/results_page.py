@@ -1,0 +1,64 @@
+"""The page of the results: words of the template, numbers of the tables of a tier."""
+
+import os
+import tomllib
+from pathlib import Path
+
+import pandas as pd
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from study.analysis.arguments import required_arguments
+from study.analysis.tables import read_table
+from study.paper import results_page
+from study.paper.claims import SWEEP
+from study.planning.plan import read_json
+
+
+def context(arguments):
+    """What the template fills in."""
+    tables = Path(arguments.results) / "tables"
+    folder = Path(arguments.output).parent
+    found = {path.stem: read_table(path) for path in sorted(tables.glob("*.csv"))}
+    verdicts, printed = pd.read_csv(arguments.verdicts, dtype=str), read_json(arguments.claims)
+    declared = tomllib.loads(Path(arguments.numbers).read_text(encoding="utf-8"))["numbers"]
+    law = next(claim for claim in printed["claims"] if claim["id"] == "phase-boundary")
+    numbers = [
+        results_page.declared_number(declared, found, f"cells/{SWEEP}/{which}")
+        for which in ("all", "as-printed")
+    ]
+    uncertainty = found.get("boundary_uncertainty")  # made on request
+    return {
+        "note": read_json(arguments.plan)["note"],
+        "root": os.path.relpath(Path(arguments.root), folder),
+        "results": os.path.relpath(Path(arguments.results), folder),
+        "results_name": Path(arguments.results).name,
+        "verdicts": results_page.verdicts(verdicts),
+        "claim": lambda name: results_page.claim_line(verdicts, name),
+        "known": lambda *values: None not in values,
+        "named": numbers[0],
+        "as_printed": numbers[1],
+        "boundary": results_page.boundary(found["phase_boundary"], law),
+        "readings": results_page.readings(printed["readings"]),
+        "doubts": results_page.doubts(uncertainty),
+        "uncertain": uncertainty is not None,
+        "starts": results_page.starts(found["second_starts"]),
+        "rules": results_page.rules(found["a_priori_summary"]),
+        "times": results_page.times(found["stage_times"]),
+    }
+
+
+def main():
+    names = ["plan", "results", "verdicts", "claims", "numbers", "template", "root", "output"]
+    arguments = required_arguments(__doc__, *names)
+    template = Path(arguments.template)
+    environment = Environment(
+        loader=FileSystemLoader(template.parent),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.keep_trailing_newline = True
+    page = environment.get_template(template.name).render(context(arguments))
+    Path(arguments.output).write_text(page, encoding="utf-8")
+
+
+main()

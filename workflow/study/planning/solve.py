@@ -1,0 +1,44 @@
+"""A solver run that is not known beforehand: made once in its folder, whoever asks for it first."""
+
+import fcntl
+import json
+import subprocess
+import time
+from pathlib import Path
+
+from study.planning.classes import DECIDED
+from study.planning.failures import FAILED, status_of
+from study.planning.plan import run_id
+
+FINISHED = (*DECIDED, "undecided", "diverged", "converged")
+ENDED = (*FINISHED, FAILED)
+
+
+def status_in(folder):
+    """Class of a run that ended in its folder; None if it is not there or was interrupted."""
+    summary = folder / "summary.json"
+    return status if (status := status_of(summary)) in ENDED else None
+
+
+def solved(case, solver_model, runs, runner, dld):
+    """Runs a resolved case unless its folder has the result; returns its (identity, class).
+
+    A lock makes two jobs that ask for the same run at the same time share it.
+    """
+    identity = run_id(case, solver_model)
+    folder = Path(runs) / identity
+    folder.mkdir(parents=True, exist_ok=True)
+    with (folder / "lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if status_in(folder) not in FINISHED:
+            (folder / "case.json").write_text(json.dumps(case, indent=2) + "\n", encoding="utf-8")
+            started = time.perf_counter()
+            files = [folder / name for name in ("case.json", "run.h5", "summary.json")]
+            subprocess.run([runner, dld, *files, "1", folder / "run.log"], check=True)
+            seconds = time.perf_counter() - started
+            (folder / "benchmark.tsv").write_text(f"s\n{seconds:.2f}\n", encoding="utf-8")
+        status = status_in(folder)
+    (folder / "lock").unlink(missing_ok=True)
+    if status is None:
+        raise RuntimeError(f"{folder} has no finished run")
+    return identity, status
