@@ -3,7 +3,7 @@
 import math
 
 import pandas as pd
-from study import claims_boundary, claims_classes, claims_extent, claims_flow  # noqa: F401 (register checks)
+from study.paper import claims_boundary, claims_classes, claims_extent, claims_flow  # noqa: F401 (register checks)
 from study.analysis.boundary import UNDISPUTED
 from study.paper.claims import CHECKS
 from study.paper.grades import NOT_RUN, graded

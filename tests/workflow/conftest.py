@@ -9,6 +9,7 @@ from pathlib import Path
 
 import fake_solver
 import pytest
+from programs import program
 from study.planning import plan as planning
 from study.planning.brackets import at_value, bracket
 
@@ -100,7 +101,7 @@ def call():
 
     def run(script, **arguments):
         words = [str(word) for name, value in arguments.items() for word in (f"--{name}", value)]
-        command = [sys.executable, ROOT / "workflow/scripts" / f"{script}.py", *words]
+        command = [sys.executable, program(script), *words]
         environment = {"PYTHONPATH": str(ROOT / "workflow"), "PATH": "/usr/bin:/bin", "HOME": "/tmp"}
         environment["OPENBLAS_NUM_THREADS"] = "1"  # several threads slow small matrices down
         done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)

@@ -122,7 +122,7 @@ def rules_of(text):
 
 def test_redraw_may_run_the_rules_that_read_tables_alone():
     rules = {}
-    for path in (ROOT / "workflow/rules").glob("*.smk"):
+    for path in (ROOT / "workflow/rules").rglob("*.smk"):
         rules |= rules_of(path.read_text(encoding="utf-8"))
     allowed = yaml.safe_load((ROOT / "workflow/profiles/redraw/config.yaml").read_text())["allowed-rules"]
     assert set(allowed) <= set(rules)

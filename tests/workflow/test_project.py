@@ -60,13 +60,13 @@ def test_python_code_is_formatted_and_clean():
 
 
 def test_rules_have_no_lambdas_and_every_script_is_used():
-    rules = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "workflow/rules").glob("*.smk"))
+    rules = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "workflow/rules").rglob("*.smk"))
     assert "lambda" not in rules
     used = rules + (ROOT / "Snakefile").read_text(encoding="utf-8")
     used += (ROOT / "workflow/test").read_text(encoding="utf-8")
     used += (ROOT / "workflow/scripts/run_case").read_text(encoding="utf-8")
-    for script in (ROOT / "workflow/scripts").iterdir():
-        if script.is_file():
+    for script in (ROOT / "workflow/scripts").rglob("*"):
+        if script.is_file() and script.suffix != ".pyc":
             assert script.name in used, script.name
 
 

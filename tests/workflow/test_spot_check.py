@@ -6,6 +6,7 @@ import sys
 
 import pandas as pd
 import pytest
+from programs import program
 from study.analysis.passages import COLUMNS, row_of
 from study.analysis.runs import passage_runs
 from study.analysis.spot_check import case_of, compared, drawn, texts
@@ -110,7 +111,7 @@ def test_the_programs_make_a_run_again_and_fail_where_it_comes_out_otherwise(
         call("spot_run", **given, runner=scripts / "run_case", run=run, output=tmp_path / f"{run}.json")
 
     def checked(*arguments):
-        command = [sys.executable, scripts / "spot_check.py", *arguments]
+        command = [sys.executable, program("spot_check"), *arguments]
         environment = {"PYTHONPATH": str(root / "workflow"), "PATH": "/usr/bin:/bin"}
         return subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
 

@@ -1,8 +1,8 @@
 """How far a call of the pipeline is and how long it will take, in words for people.
 
 Every job has an expected time on one core: of a solver run what the solver says
-(study.planning.precheck), of the others a typical time. The times seen so far correct both kinds by a factor each, so that a slower machine
-is known after some runs.
+(study.planning.precheck), of the others a typical time. The times seen so far correct both kinds by a factor
+each, so that a slower machine is known after some runs.
 """
 
 from collections import Counter

@@ -1,7 +1,7 @@
 """Which job first: the one with the most work behind it, so that no core waits for a long chain at the end.
 
-The work is what the solver expects (`study.planning.precheck`), in seconds by identity of the run. While there
-is no solver to ask, every job has the same priority.
+The work is what the solver expects (`study.planning.precheck`), in seconds by identity of the run. While
+there is no solver to ask, every job has the same priority.
 """
 
 from study.planning.plan import run_id
