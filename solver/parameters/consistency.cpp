@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "parameters/memory.hpp"
 #include "parameters/text.hpp"
 
 namespace dld {
@@ -164,10 +165,61 @@ void check_stretching(const Case& c, std::vector<Problem>& problems) {
                       "use 1, or take an even /cell/mesh_frequency"});
 }
 
+// A force that the minimiser cannot tell from none, or that no membrane bears: F over the tension kS r.
+void check_forces(const Case& c, std::vector<Problem>& problems) {
+  constexpr double weakest = 1e-3, strongest = 2e3;
+  const double tension_pN = c.stretching.shear_modulus_uN_per_m * c.cell.radius_um;  // 1 uN/m um = 1 pN
+  for (const double force : c.stretching.forces_pN) {
+    const double share = force / tension_pN;
+    if (force == 0.0 || (share >= weakest && share <= strongest)) continue;
+    problems.push_back({"/stretching/forces_pN", number_text(force),
+                        "0, or between " + number_text(weakest * tension_pN) + " and " +
+                            number_text(strongest * tension_pN) + " pN (" + number_text(weakest) + " to " +
+                            number_text(strongest) + " times shear modulus times radius)",
+                        "change the force or /stretching/shear_modulus_uN_per_m"});
+  }
+  constexpr std::size_t most = 1000;
+  if (c.stretching.forces_pN.size() > most)
+    problems.push_back({"/stretching/forces_pN",
+                        number_text(static_cast<double>(c.stretching.forces_pN.size())),
+                        "a list of at most " + number_text(most) + " forces", "split it into several cases"});
+}
+
+// Places of populations are counted with 32 bits.
+void check_box(const Case& c, std::vector<Problem>& problems) {
+  constexpr double directions = 19, most_nodes = 4294967296.0 / directions;
+  const double nodes = fluid_box(c).nodes(), dx = c.fluid.lattice_spacing_um;
+  if (nodes < most_nodes) return;
+  problems.push_back(
+      {"/fluid/lattice_spacing_um", number_text(dx),
+       "at most " + number_text(std::floor(most_nodes)) + " nodes in the box",
+       "use at least " + number_text(std::ceil(1e4 * dx * std::cbrt(nodes / most_nodes)) / 1e4)});
+}
+
+// Neither a duration of a few steps nor one that can never be reached.
+void check_duration(const Case& c, std::vector<Problem>& problems) {
+  constexpr double fewest = 20;
+  const double radius = c.cell.radius_um / c.fluid.lattice_spacing_um;
+  const double per_time = radius * radius / (c.shear.reynolds_number * (c.fluid.relaxation_time - 0.5) / 3);
+  const double steps = c.shear.duration * per_time;
+  if (steps < fewest) {
+    problems.push_back({"/shear/duration", number_text(c.shear.duration),
+                        "at least " + number_text(fewest) + " time steps",
+                        "use at least " + number_text(fewest / per_time)});
+  } else if (steps > static_cast<double>(c.stop.max_steps)) {
+    problems.push_back({"/shear/duration", number_text(c.shear.duration),
+                        "at most the " + number_text(static_cast<double>(c.stop.max_steps)) +
+                            " steps of /stop/max_steps; these are " + number_text(std::ceil(steps)),
+                        "use at most " + number_text(static_cast<double>(c.stop.max_steps) / per_time) +
+                            ", or raise /stop/max_steps or /shear/reynolds_number"});
+  }
+}
+
 void check_channel(const Case& c, std::vector<Problem>& problems) {
   check_depth(c, problems);
   check_multiple("/channel/width_um", c.channel.width_um, c.fluid.lattice_spacing_um, "the lattice spacing",
                  true, problems);
+  check_box(c, problems);
 }
 
 void check_shear(const Case& c, std::vector<Problem>& problems) {
@@ -186,9 +238,17 @@ std::vector<Problem> inconsistencies(const Case& c) {
   std::vector<Problem> problems;
   if (c.scene == "passage") check_passage(c, problems);
   if (c.scene == "streamlines") check_streamlines(c, problems);
-  if (c.scene == "stretching") check_stretching(c, problems);
+  if (c.scene == "stretching") {
+    check_stretching(c, problems);
+    check_forces(c, problems);
+    check_box(c, problems);
+  }
   if (c.scene == "channel") check_channel(c, problems);
-  if (c.scene == "shear") check_shear(c, problems);
+  if (c.scene == "shear") {
+    check_shear(c, problems);
+    check_duration(c, problems);
+    check_box(c, problems);
+  }
   return problems;
 }
 

@@ -59,17 +59,6 @@ Json si_numbers(const Case& c) {
           {"resistance_Pa_s_per_m2_per_lu", si.resistance_Pa_s_per_m2_per_lu}};
 }
 
-double memory_MiB(const Case& c) {
-  if (c.scene == "stretching" && c.stretching.method == "static") return 1;
-  const LatticeParameters l = to_lattice(c);
-  const double dx = c.fluid.lattice_spacing_um;
-  double nodes = static_cast<double>(l.nx) * l.ny * l.nz;
-  if (c.scene == "shear") nodes = std::pow(c.shear.box_um / dx, 3);
-  // 19 populations (streamed in place), velocity, force, relaxation time and fluid mask.
-  const double numbers_per_node = 19 + 3 + 3 + 1 + 1;
-  return nodes * numbers_per_node * (c.fluid.precision == "single" ? 4 : 8) / (1024 * 1024);
-}
-
 Json expected_cost(const Case& c) {
   if (c.scene != "passage" && c.scene != "streamlines") return nullptr;
   constexpr double rate = 150e6, typical_rows = 10, array_share = 0.6;

@@ -4,6 +4,7 @@
 
 #include "parameters/case.hpp"
 #include "parameters/limits.hpp"
+#include "parameters/memory.hpp"
 #include "parameters/units.hpp"
 
 namespace dld {
@@ -16,9 +17,6 @@ nlohmann::ordered_json dimensionless_numbers(const Case& c);
 
 /// SI numbers for water-like fluid (1 mPa s) and a healthy cell (5.3 uN/m).
 nlohmann::ordered_json si_numbers(const Case& c);
-
-/// Estimate of the memory of the fields, MiB.
-double memory_MiB(const Case& c);
 
 /// What a passage or a cell-free flow will cost: steps per pillar row at the mean speed of an unobstructed
 /// slit times 0.6 (the array's share), node updates for a typical ten rows, and seconds at 150 million node

@@ -208,11 +208,10 @@ class PassageRun {
     last_recorded_ = centre;
     const Eigen::RowVector3d extent = x.colwise().maxCoeff() - x.colwise().minCoeff();
     const double um = l_.um_per_lu;
-    record_.trajectory.append({static_cast<double>(steps_), centre.x() * um, centre.y() * um, centre.z() * um,
-                               extent.x() * um, extent.y() * um, extent.z() * um,
-                               state.area / membrane_.reference_area() - 1.0,
-                               state.volume / membrane_.reference_volume() - 1.0, state.min_face_ratio,
-                               film_um(cell_->film())});
+    record_.trajectory.append(
+        {static_cast<double>(steps_), centre.x() * um, centre.y() * um, centre.z() * um, extent.x() * um,
+         extent.y() * um, extent.z() * um, state.area / membrane_.reference_area() - 1.0,
+         state.volume / membrane_.reference_volume() - 1.0, state.min_face_ratio, film_um(cell_->film())});
     const int per_row = case_.output.snapshots_per_row;
     if (per_row == 0) return;
     const auto index = static_cast<long>(std::floor(centre.x() * per_row / l_.nx));
@@ -230,8 +229,8 @@ class PassageRun {
     record_.crossings.append({static_cast<double>(row_), extent_.step_at_centre(), extent_.y_at_centre() * um,
                               crossing.gap_position * um, static_cast<double>(crossing.lane),
                               crossing.bump ? 1.0 : 0.0, extent_.max_width() * um,
-                              extent_.width_at_centre() * um, film_um(extent_.min_film()), state.min_face_ratio,
-                              extent_.height_at_max() * um,
+                              extent_.width_at_centre() * um, film_um(extent_.min_film()),
+                              state.min_face_ratio, extent_.height_at_max() * um,
                               l_.nx * um / (extent_.step_at_centre() - previous)});
     record_.keep_snapshot("crossing", row_, extent_.step_at_max(), extent_.vertices_at_max());
     extent_done_ = decided_;
@@ -243,7 +242,8 @@ class PassageRun {
   }
 
   /// Saved when all of a step is done, so that the run that resumes misses none of it. It may be any whole
-  /// step, whenever the machine's clock or a signal asks for it: nothing here may change the run that goes on.
+  /// step, whenever the machine's clock or a signal asks for it: nothing here may change the run that goes
+  /// on.
   void save_checkpoint() {
     row_finished_ = false;
     Checkpoint checkpoint(checkpoint_identity(case_));
@@ -282,7 +282,9 @@ class PassageRun {
   }
 
   void resume() {
-    const auto values = [&](const char* name) -> const auto& { return saved_->get<std::vector<double>>(name); };
+    const auto values = [&](const char* name) -> const auto& {
+      return saved_->get<std::vector<double>>(name);
+    };
     steps_ = restore_coupled(*saved_, lattice_, *cell_);
     flow_steps_ = saved_->integer("flow_steps");
     mean_velocity_ = values("mean_velocity").at(0);

@@ -107,7 +107,8 @@ Status run(const Case& c, RunContext& context) {
       }
       if (context.progress.due()) context.progress.update(static_cast<double>(done), "");
     }
-    if (status == Status::undecided && checkpoints.stop(done, [&](Checkpoint& state) { series.save(state, "series_"); }))
+    if (status == Status::undecided &&
+        checkpoints.stop(done, [&](Checkpoint& state) { series.save(state, "series_"); }))
       status = Status::interrupted;
   }
   const double change = change_of_last_quarter(series.column("deformation"));

@@ -59,8 +59,8 @@ std::vector<Result> load_results(const Checkpoint& state) {
   for (std::int64_t k = 0; k < state.integer("results"); ++k) {
     const std::string name = "result_" + std::to_string(k);
     const auto& n = state.get<std::vector<double>>(name);
-    results.push_back({n.at(0), to_matrix(state.get<std::vector<double>>(name + "_vertices")), n.at(1), n.at(2),
-                       n.at(3), static_cast<long>(n.at(4))});
+    results.push_back({n.at(0), to_matrix(state.get<std::vector<double>>(name + "_vertices")), n.at(1),
+                       n.at(2), n.at(3), static_cast<long>(n.at(4))});
   }
   return results;
 }
@@ -84,8 +84,8 @@ std::vector<Result> stretch_static(const Case& c, Membrane& membrane, RunContext
         results.empty() ? membrane.reference().vertices : results.back().vertices_um;
     const StretchedShape shape = stretch(membrane, patches, force_pN, start, options);
     if (!shape.stopped) {
-      results.push_back({force_pN, shape.vertices, shape.axial, shape.transverse, shape.energy * 1e-18,
-                         shape.iterations});
+      results.push_back(
+          {force_pN, shape.vertices, shape.axial, shape.transverse, shape.energy * 1e-18, shape.iterations});
       if (!shape.converged) status = Status::undecided;
     }
     if (context.progress.due())

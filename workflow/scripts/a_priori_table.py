@@ -10,7 +10,7 @@ from pathlib import Path
 from study.arguments import required_arguments
 from study.claims import load_claims
 from study.passages import DECIDED
-from study.plan import read_json
+from study.runs import checked_summary
 from study.tables import read_table, write_table
 from study.tweezer import SeparationCurve, TweezerCurve
 
@@ -73,7 +73,7 @@ def flow_work(separation, runs):
     """Node updates of the flows of a variant, all row shifts together: {variant: updates}."""
     work = {}
     for variant, rows in separation[separation.run.notna()].groupby("variant"):
-        summaries = [read_json(Path(runs) / run / "summary.json") for run in rows.run]
+        summaries = [checked_summary(Path(runs) / run) for run in rows.run]
         work[variant] = sum(summary.get("node_updates", 0) for summary in summaries)
     return work
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from study.brackets import bracket
 from study.plan import read_json
+from study.runs import checked_summary
 
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("--plan", required=True)
@@ -16,7 +17,7 @@ arguments = parser.parse_args()
 
 definition = read_json(arguments.plan)["brackets"][arguments.name]
 points = [
-    {"value": value, "class": read_json(Path(arguments.runs) / run / "summary.json")["status"], "run": run}
+    {"value": value, "class": checked_summary(Path(arguments.runs) / run)["status"], "run": run}
     for value, run in definition["known"]
 ]
 state = bracket(points, definition)

@@ -10,11 +10,11 @@ import argparse
 import sys
 from pathlib import Path
 
-import pandas as pd
 from study import claims_boundary, claims_classes, claims_extent, claims_flow  # noqa: F401 (register checks)
 from study.claims import CHECKS, Undecidable
 from study.claims_page import page
 from study.grades import NOT_DECIDED, NOT_RUN, OTHERWISE, graded, limit_of
+from study.measured import read_measured
 from study.plan import validated
 from study.readings import view
 from study.tables import read_table, write_table
@@ -72,7 +72,7 @@ def main():
     parser.add_argument("--markdown", required=True)
     arguments = parser.parse_args()
     tables = {name: read_table(Path(arguments.tables) / f"{name}.csv") for name in TABLES}
-    experiment = pd.read_csv(arguments.experiment, comment="#")
+    experiment = read_measured(arguments.experiment)
     declared = validated(arguments.claims, "claims")
     readings = declared["readings"]
     views = {reading["id"]: view(tables, reading) for reading in readings}

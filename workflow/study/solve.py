@@ -3,19 +3,27 @@
 import fcntl
 import json
 import subprocess
+import sys
 import time
 from pathlib import Path
 
 from study.passages import DECIDED
-from study.plan import read_json, run_id
+from study.plan import run_id
+from study.runs import DamagedRun, checked_summary
 
 FINISHED = (*DECIDED, "undecided", "diverged")
 
 
 def status_in(folder):
-    """Class of a finished run in its folder; None if it is not there or was interrupted."""
-    summary = folder / "summary.json"
-    status = read_json(summary)["status"] if summary.exists() else None
+    """Class of a finished run in its folder; None if it is to be made: it is not there, was interrupted, or
+    its files are damaged."""
+    if not (folder / "summary.json").exists():
+        return None
+    try:
+        status = checked_summary(folder)["status"]
+    except DamagedRun as problem:
+        print(problem, file=sys.stderr)
+        return None
     return status if status in FINISHED else None
 
 
