@@ -3,25 +3,31 @@
 ///   dld run case.json out.h5 --summary summary.json    simulate; the same command resumes after Ctrl-C
 ///   dld check case.json                                 resolved case, derived numbers, stability margins
 ///   dld resolve cases.json out.json                     the same in short for many cases, for programs that
-///   plan dld schema                                          JSON Schema of case files
+///   plan dld verify out.h5 summary.json                    are the files of a finished run as they were
+///   written? dld schema                                          JSON Schema of case files
 ///
 /// Exit codes: 0 done, 2 bad parameters, 3 diverged, 4 input/output, 5 checkpoint of another case or build,
 /// 128 + signal when interrupted: 130 Ctrl-C, 143 SIGTERM, 142 end of --wall-time.
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <new>
 
 #include "output/checkpoint.hpp"
 #include "output/durable_file.hpp"
 #include "output/interrupt.hpp"
+#include "output/memory_limit.hpp"
 #include "output/provenance.hpp"
+#include "output/verify.hpp"
 #include "parameters/headline.hpp"
 #include "parameters/limits.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/report.hpp"
 #include "parameters/resolve.hpp"
+#include "parameters/text.hpp"
 #include "parameters/work.hpp"
 #include "scene/registry.hpp"
 
@@ -81,6 +87,7 @@ void explain_divergence(const Json& summary, const Hdf5File& out, bool state_kep
 }
 
 void write_root_attributes(Hdf5File& out, const Case& c, const Json& summary, int threads) {
+  out.attribute("/", seal_attribute, "length and checksum at the end of the file");
   out.attribute("/", "status", summary["status"].get<std::string>());
   out.attribute("/", "scene", c.scene);
   out.attribute("/", "provenance", provenance(threads).dump());
@@ -139,12 +146,26 @@ void write_summary(const std::filesystem::path& path, const Json& summary) {
   rename_durably(part, path);
 }
 
+// What keeps the case from this machine, empty if it fits.
+std::string lack_of_memory(const Case& c, const std::string& file) {
+  const double need = memory_MiB(c);
+  const auto limit = memory_limit();
+  if (!limit || need < limit->MiB) return "";
+  return file + ": needs about " + number_text(std::ceil(need)) + " MiB of memory; there are " +
+         number_text(std::floor(limit->MiB)) + " MiB (" + limit->by + "); " + memory_advice(c) +
+         ", or take a machine with more\n";
+}
+
 int run(const RunOptions& options) {
   require_different_files(files_of(options));
   const Case c = read_case(options.case_file);
   std::cerr << headline(c) << "\n";
   print_warnings(c, options.case_file);
   if (!may_run(c, options.case_file, options.force)) return bad_parameters;
+  if (const std::string lack = lack_of_memory(c, options.case_file); !lack.empty()) {
+    std::cerr << lack;
+    return bad_parameters;
+  }
   catch_interrupts(Hdf5File::part_of(options.output_file));
   if (options.wall_time_minutes > 0.0) limit_wall_time(options.wall_time_minutes);
   try_summary(options.summary_file);
@@ -156,7 +177,15 @@ int run(const RunOptions& options) {
                      .resume = !options.no_resume,
                      .threads = options.threads,
                      .save_timer = SaveTimer(options.checkpoint_minutes)};
-  const Status status = find_scene(c.scene)(c, context);
+  Status status = Status::undecided;
+  try {
+    status = find_scene(c.scene)(c, context);
+  } catch (const std::bad_alloc&) {
+    std::cerr << options.case_file << ": out of memory; it needs about "
+              << number_text(std::ceil(memory_MiB(c))) << " MiB: " << memory_advice(c)
+              << ", or take a machine with more\n";
+    return bad_parameters;
+  }
   if (status == Status::interrupted) {
     std::cerr << (interrupted() == SIGALRM ? "the wall time is over" : "interrupted") << "; the same command "
               << (context.owns_checkpoint ? "continues from " + context.checkpoint.string() : "starts afresh")
@@ -174,7 +203,7 @@ int run(const RunOptions& options) {
   }
   if (context.xdmf.flow) write_flow_points(out, *context.xdmf.flow);
   write_root_attributes(out, c, summary, options.threads);
-  out.close();
+  out.close_sealed();
   write_xdmf(out.path(), context.xdmf);
   write_summary(options.summary_file, summary);
   if (status != Status::diverged) {
@@ -189,6 +218,16 @@ int run(const RunOptions& options) {
   return diverged;
 }
 
+int verify(const std::string& run_file, const std::string& summary_file, const std::string& case_file) {
+  std::optional<std::filesystem::path> summary;
+  std::optional<Json> resolved;
+  if (!summary_file.empty()) summary = summary_file;
+  if (!case_file.empty()) resolved = echo(read_case(case_file));
+  const auto problems = verify_run(run_file, summary, resolved);
+  for (const std::string& problem : problems) std::cerr << problem << "\n";
+  return problems.empty() ? done : input_output;
+}
+
 int check(const std::string& case_file, bool force) {
   const Case c = read_case(case_file);
   print_warnings(c, case_file);
@@ -197,10 +236,11 @@ int check(const std::string& case_file, bool force) {
                        {"lattice", lattice_numbers(c)},
                        {"dimensionless", dimensionless_numbers(c)},
                        {"si", si_numbers(c)},
-                       {"memory_MiB", memory_bytes(c) / (1024 * 1024)},
+                       {"memory_MiB", memory_MiB(c)},
                        {"expected_cost", expected_cost(c)},
                        {"margins", margins_json(stability_margins(c))}};
   std::cout << report.dump(2) << "\n";
+  std::cerr << lack_of_memory(c, case_file);
   return may_run(c, case_file, force) ? done : bad_parameters;
 }
 
@@ -237,6 +277,7 @@ int command_line(int argc, char** argv) {
   run_command->add_option("--summary", options.summary_file, "row of results (JSON)");
   run_command->add_option("--threads", options.threads, "threads")
       ->envname("OMP_NUM_THREADS")
+      ->transform([](const std::string& list) { return list.substr(0, list.find(',')); })  // of nested levels
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   run_command->add_flag("--force", options.force, "run although a stability margin is violated");
@@ -261,6 +302,12 @@ int command_line(int argc, char** argv) {
   std::string cases_file, answers_file;
   resolve_command->add_option("cases", cases_file, "an array of cases, or one (JSON)")->required();
   resolve_command->add_option("output", answers_file, "an array of answers (JSON); printed without it");
+  CLI::App* verify_command =
+      app.add_subcommand("verify", "tell whether the files of a finished run are as they were written");
+  std::string run_file, summary_file, resolved_file;
+  verify_command->add_option("run", run_file, "output of a run (HDF5)")->required();
+  verify_command->add_option("summary", summary_file, "its summary (JSON)");
+  verify_command->add_option("--case", resolved_file, "the case (JSON) that it is said to be of");
   CLI::App* schema_command = app.add_subcommand("schema", "print the JSON Schema of case files");
 
   try {
@@ -275,6 +322,7 @@ int command_line(int argc, char** argv) {
     std::cerr << error.what() << "\n";
     return bad_parameters;
   }
+  if (verify_command->parsed()) return verify(run_file, summary_file, resolved_file);
   if (check_command->parsed()) return check(case_file, force_check);
   if (schema_command->parsed()) std::cout << case_schema().dump(2) << "\n";
   return done;

@@ -43,8 +43,8 @@ class PassageExtent {
   double y_at_centre() const { return y_at_centre_; }        ///< y of the centroid on the line (lu)
   const Eigen::MatrixX3d& vertices_at_max() const { return vertices_at_max_; }  ///< (nv, 3) lu
 
-  /// All it knows besides vertices_at_max(), in an order of its own, and the way back: for a checkpoint in the
-  /// middle of a passage.
+  /// All it knows besides vertices_at_max(), in an order of its own, and the way back: for a checkpoint in
+  /// the middle of a passage.
   std::vector<double> numbers() const;
   static PassageExtent from(const std::vector<double>& numbers, Eigen::MatrixX3d vertices_at_max);
 

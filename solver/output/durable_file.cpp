@@ -55,8 +55,7 @@ std::vector<char> read_bytes(const std::filesystem::path& path) {
 }
 
 std::uint32_t checksum(std::span<const char> bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+  return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to) {

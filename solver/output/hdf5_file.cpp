@@ -25,10 +25,21 @@ std::vector<hsize_t> chunk_shape(const std::vector<hsize_t>& dims, std::size_t b
 
 /// Version, length and checksum of the data before it, always of one length.
 constexpr std::size_t seal_length = 44;
+constexpr std::string_view seal_begin = "\ndld seal ";
 std::string seal_of(std::span<const char> data) {
   char text[seal_length + 1];
   std::snprintf(text, sizeof text, "\ndld seal %016zx %016zx\n", data.size(), std::size_t{checksum(data)});
   return text;
+}
+
+enum class SealState { none, holds, broken };
+SealState state_of_seal(const std::filesystem::path& path) {
+  const std::vector<char> bytes = read_bytes(path);
+  if (bytes.size() < seal_length) return SealState::none;
+  const std::span<const char> data(bytes.data(), bytes.size() - seal_length);
+  const std::string_view found(bytes.data() + data.size(), seal_length);
+  if (!found.starts_with(seal_begin)) return SealState::none;
+  return found == seal_of(data) ? SealState::holds : SealState::broken;
 }
 
 void write_attribute(hid_t file, const std::string& object, const std::string& name, hid_t type,
@@ -78,10 +89,11 @@ Hdf5File::~Hdf5File() {
 }
 
 bool Hdf5File::seal_holds(const std::filesystem::path& path) {
-  const std::vector<char> bytes = read_bytes(path);
-  if (bytes.size() < seal_length) return false;
-  const std::span<const char> data(bytes.data(), bytes.size() - seal_length);
-  return std::string_view(bytes.data() + data.size(), seal_length) == seal_of(data);
+  return state_of_seal(path) == SealState::holds;
+}
+
+bool Hdf5File::seal_broken(const std::filesystem::path& path) {
+  return state_of_seal(path) == SealState::broken;
 }
 
 void Hdf5File::close(Ending ending) {

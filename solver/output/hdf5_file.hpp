@@ -14,6 +14,9 @@ namespace dld {
 
 using Shape = std::vector<std::size_t>;
 
+/// Attribute of the root of a file that is closed with a seal: without one it has been cut off.
+inline const std::string seal_attribute = "sealed";
+
 /// Writer. Everything goes to "<path>.part"; close() renames it, so that a file with the final name is
 /// always complete. A file that is destroyed before close() leaves nothing behind.
 class Hdf5File {
@@ -74,6 +77,8 @@ class Hdf5File {
   void close_sealed() { close(Ending::sealed); }
   /// Whether a file was closed with a seal and has every byte that it had then.
   static bool seal_holds(const std::filesystem::path& path);
+  /// Whether a file ends with a seal that says otherwise than its bytes: it should not even be opened.
+  static bool seal_broken(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
   /// Where a file stands until it is complete.

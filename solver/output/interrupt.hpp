@@ -4,9 +4,9 @@
 
 namespace dld {
 
-/// From now on the signals set a flag, which a run looks at many times a second; a second one of the same kind
-/// ends the program at once. So does the first, as long as nobody has looked: what is set up then can take a
-/// while, and all there is to tidy is the file that was begun.
+/// From now on the signals set a flag, which a run looks at many times a second; a second one of the same
+/// kind ends the program at once. So does the first, as long as nobody has looked: what is set up then can
+/// take a while, and all there is to tidy is the file that was begun.
 void catch_interrupts(const std::filesystem::path& unfinished_file = {});
 
 /// Sets the flag, too, shortly before so many minutes from now: early enough to save the state.

@@ -162,16 +162,53 @@ void check_start_row(const Case& c, std::vector<Problem>& problems) {
 }
 
 // Places of populations are counted with 32 bits.
-void check_size(const Case& c, std::vector<Problem>& problems) {
-  const auto& g = c.geometry;
-  const double dx = c.fluid.lattice_spacing_um, halves = g.height == "half" ? 0.5 : 1.0;
-  const double volume_um3 = g.pitch_um * g.pitch_across_um() * g.depth_um * halves;
+void check_box(const Case& c, std::vector<Problem>& problems) {
   constexpr double directions = 19, most_nodes = 4294967296.0 / directions;
-  if (volume_um3 / (dx * dx * dx) < most_nodes) return;
+  const double nodes = rules_of(c.scene).box(c).nodes(), dx = c.fluid.lattice_spacing_um;
+  if (nodes < most_nodes) return;
   problems.push_back(
       {"/fluid/lattice_spacing_um", number_text(dx),
-       "at most " + number_text(std::floor(most_nodes)) + " nodes in the unit cell",
-       "use at least " + number_text(std::ceil(1e4 * std::cbrt(volume_um3 / most_nodes)) / 1e4)});
+       "at most " + number_text(std::floor(most_nodes)) + " nodes in the box",
+       "use at least " + number_text(std::ceil(1e4 * dx * std::cbrt(nodes / most_nodes)) / 1e4)});
+}
+
+// A force that the minimiser cannot tell from none, or that no membrane bears: F over the tension kS r.
+void check_forces(const Case& c, std::vector<Problem>& problems) {
+  constexpr double weakest = 1e-3, strongest = 2e3;
+  const double tension_pN = c.stretching.shear_modulus_uN_per_m * c.cell.radius_um;  // 1 uN/m um = 1 pN
+  for (const double force : c.stretching.forces_pN) {
+    const double share = force / tension_pN;
+    if (force == 0.0 || (share >= weakest && share <= strongest)) continue;
+    problems.push_back({"/stretching/forces_pN", number_text(force),
+                        "0, or between " + number_text(weakest * tension_pN) + " and " +
+                            number_text(strongest * tension_pN) + " pN (" + number_text(weakest) + " to " +
+                            number_text(strongest) + " times shear modulus times radius)",
+                        "change the force or /stretching/shear_modulus_uN_per_m"});
+  }
+  constexpr std::size_t most = 1000;
+  if (c.stretching.forces_pN.size() > most)
+    problems.push_back({"/stretching/forces_pN",
+                        number_text(static_cast<double>(c.stretching.forces_pN.size())),
+                        "a list of at most " + number_text(most) + " forces", "split it into several cases"});
+}
+
+// Neither a duration of a few steps nor one that can never be reached.
+void check_duration(const Case& c, std::vector<Problem>& problems) {
+  constexpr double fewest = 20;
+  const double radius = c.cell.radius_um / c.fluid.lattice_spacing_um;
+  const double per_time = radius * radius / (c.shear.reynolds_number * (c.fluid.relaxation_time - 0.5) / 3);
+  const double steps = c.shear.duration * per_time;
+  if (steps < fewest) {
+    problems.push_back({"/shear/duration", number_text(c.shear.duration),
+                        "at least " + number_text(fewest) + " time steps",
+                        "use at least " + number_text(fewest / per_time)});
+  } else if (steps > static_cast<double>(c.stop.max_steps)) {
+    problems.push_back({"/shear/duration", number_text(c.shear.duration),
+                        "at most the " + number_text(static_cast<double>(c.stop.max_steps)) +
+                            " steps of /stop/max_steps; these are " + number_text(std::ceil(steps)),
+                        "use at most " + number_text(static_cast<double>(c.stop.max_steps) / per_time) +
+                            ", or raise /stop/max_steps or /shear/reynolds_number"});
+  }
 }
 
 }  // namespace
@@ -179,7 +216,7 @@ void check_size(const Case& c, std::vector<Problem>& problems) {
 void check_passage(const Case& c, std::vector<Problem>& problems) {
   check_array(c, problems);
   check_depth(c, problems);
-  check_size(c, problems);
+  check_box(c, problems);
   check_start_row(c, problems);
   check_start_height(c, problems);
   check_start_in_plane(c, problems);
@@ -199,11 +236,13 @@ void check_passage(const Case& c, std::vector<Problem>& problems) {
 void check_streamlines(const Case& c, std::vector<Problem>& problems) {
   check_array(c, problems);
   check_depth(c, problems);
-  check_size(c, problems);
+  check_box(c, problems);
 }
 
 // Some vertex has to lie within the patch that is pulled at. Meshes of an even frequency have one at the tip.
 void check_stretching(const Case& c, std::vector<Problem>& problems) {
+  check_forces(c, problems);
+  check_box(c, problems);
   const bool coupled = c.stretching.method == "coupled";
   check_mirror(c, coupled, problems);
   if (coupled) check_edges(c, problems);
@@ -223,9 +262,12 @@ void check_channel(const Case& c, std::vector<Problem>& problems) {
   check_depth(c, problems);
   check_multiple(c, "/channel/width_um", c.channel.width_um, c.fluid.lattice_spacing_um,
                  "the lattice spacing", true, problems);
+  check_box(c, problems);
 }
 
 void check_shear(const Case& c, std::vector<Problem>& problems) {
+  check_duration(c, problems);
+  check_box(c, problems);
   check_multiple(c, "/shear/box_um", c.shear.box_um, c.fluid.lattice_spacing_um, "the lattice spacing", false,
                  problems);
   check_edges(c, problems);

@@ -55,6 +55,8 @@ constexpr double bgk_relaxation_limit = 0.25;
 // cent.
 constexpr double accurate_speed_limit = 0.1, speed_limit = 0.3;
 constexpr double row_shift_limit = 0.5;
+// Slip that is no longer small beside the other errors of a run on a coarse lattice.
+constexpr double slip_limit = 0.05;
 // Density variation 3 f lambda, the pressure that the force builds up over a pitch, over cs^2. Fitted: the
 // variation passes 0.1 at 0.11 and, with a cell, 0.3 above or below the mean, where the monitors stop, at
 // 0.45.
@@ -171,6 +173,28 @@ void flow_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>
                           "mirror the array: a shift d is a shift pitch - d to the other side", false));
 }
 
+// Half-way bounce-back at the top and the bottom puts the walls of a slit where its width is
+// sqrt(H^2 + 16 Lambda / 3 - 1) (Ginzburg and d'Humieres 2003): the slip over the mean speed.
+void slip_margin(const Case& c, const LatticeParameters& l, std::vector<Margin>& margins) {
+  const double odd = c.fluid.relaxation_time - 0.5;
+  const double magic = c.fluid.collision == "bgk" ? odd * odd : c.fluid.magic_parameter;
+  const double slip = 1.5 * std::abs(16 * magic / 3 - 1) / (l.depth * l.depth);
+  margins.push_back(below("slip at the bottom and the top wall", slip, slip_limit, "mean speed",
+                          c.fluid.collision == "bgk" ? "use trt, or lower /fluid/relaxation_time"
+                                                     : "use 0.1875 for /fluid/magic_parameter",
+                          false));
+}
+
+// Speed of the walls of the sheared box.
+void wall_speed_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>& margins) {
+  const double rate = c.shear.reynolds_number * l.viscosity / (l.cell_radius * l.cell_radius);
+  const double speed = 0.5 * rate * c.shear.box_um / l.um_per_lu;
+  const std::string slower = "reduce /shear/reynolds_number";
+  margins.push_back(below("speed of the walls", speed, speed_limit, "lu", slower));
+  margins.push_back(
+      below("speed of the walls, for accuracy", speed, accurate_speed_limit, "lu", slower, false));
+}
+
 }  // namespace
 
 std::vector<Margin> passage_margins(const Case& c) {
@@ -179,12 +203,14 @@ std::vector<Margin> passage_margins(const Case& c) {
   membrane_margins(c, l, margins);
   contact_margins(c, margins);
   flow_margins(c, l, margins);
+  slip_margin(c, l, margins);
   return margins;
 }
 
 std::vector<Margin> streamlines_margins(const Case& c) {
   std::vector<Margin> margins;
   flow_margins(c, simulated(c), margins);
+  slip_margin(c, simulated(c), margins);
   return margins;
 }
 
@@ -194,8 +220,16 @@ std::vector<Margin> stretching_margins(const Case& c) {
   return margins;
 }
 
-std::vector<Margin> no_margins(const Case&) {
-  return {};
+std::vector<Margin> channel_margins(const Case& c) {
+  std::vector<Margin> margins;
+  slip_margin(c, simulated(c), margins);
+  return margins;
+}
+
+std::vector<Margin> shear_margins(const Case& c) {
+  std::vector<Margin> margins;
+  wall_speed_margins(c, simulated(c), margins);
+  return margins;
 }
 
 std::vector<Margin> stability_margins(const Case& c) {

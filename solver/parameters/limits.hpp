@@ -25,7 +25,8 @@ std::vector<Margin> stability_margins(const Case& c);
 std::vector<Margin> passage_margins(const Case& c);
 std::vector<Margin> streamlines_margins(const Case& c);
 std::vector<Margin> stretching_margins(const Case& c);
-std::vector<Margin> no_margins(const Case& c);
+std::vector<Margin> channel_margins(const Case& c);
+std::vector<Margin> shear_margins(const Case& c);
 
 /// Is one violated that makes a run diverge?
 bool expected_to_diverge(const std::vector<Margin>& margins);

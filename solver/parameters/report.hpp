@@ -4,6 +4,7 @@
 
 #include "parameters/case.hpp"
 #include "parameters/limits.hpp"
+#include "parameters/memory.hpp"
 #include "parameters/units.hpp"
 
 namespace dld {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "parameters/memory.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/report.hpp"
 #include "parameters/scene_rules.hpp"
@@ -45,7 +46,7 @@ Json resolved_json(const Json& root, const std::string& folder) {
   answer["sections"] = rules_of(c.scene).sections;
   answer["warnings"] = warnings_json(margins);
   answer["expected_to_diverge"] = expected_to_diverge(margins);
-  answer["memory_bytes"] = memory_bytes(c);
+  answer["memory_bytes"] = std::ceil(1024 * 1024 * memory_MiB(c));
   answer["expected_cost"] = expected_cost(c);
   return answer;
 }

@@ -20,9 +20,10 @@ struct ExpectedWork {
   double seconds_on_one_core = 0;
 };
 
-/// Nodes of a lattice along x, y and z, solid ones included; whole numbers.
+/// Nodes of a lattice along x, y and z, solid ones included; not rounded to what fits into an int.
 struct LatticeBox {
   double nx = 0, ny = 0, nz = 0;
+  double nodes() const { return nx * ny * nz; }
 };
 
 struct SceneRules {

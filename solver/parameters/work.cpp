@@ -23,10 +23,6 @@ double vertices(const Case& c) {
   return 10.0 * c.cell.mesh_frequency * c.cell.mesh_frequency + 2;
 }
 
-double nodes(const LatticeBox& box) {
-  return box.nx * box.ny * box.nz;
-}
-
 // Share of the unit cell that is not pillar.
 double open_share(const Case& c) {
   const PillarArray pillars = device_um(c).pillars();
@@ -49,8 +45,8 @@ ExpectedWork of_steps(double steps, double fluid_nodes) {
 }  // namespace
 
 LatticeBox streamlines_box(const Case& c) {
-  const LatticeParameters l = to_lattice(c);
-  return {static_cast<double>(l.nx), static_cast<double>(l.ny), static_cast<double>(l.nz)};
+  const double dx = c.fluid.lattice_spacing_um, halves = c.geometry.height == "half" ? 0.5 : 1.0;
+  return {c.geometry.pitch_um / dx, c.geometry.pitch_across_um() / dx, halves * c.geometry.depth_um / dx};
 }
 
 LatticeBox passage_box(const Case& c) {
@@ -58,25 +54,24 @@ LatticeBox passage_box(const Case& c) {
 }
 
 LatticeBox shear_box(const Case& c) {
-  const double edge = std::round(c.shear.box_um / c.fluid.lattice_spacing_um);
+  const double edge = c.shear.box_um / c.fluid.lattice_spacing_um;
   return {edge, edge, edge};
 }
 
 // The boxes of stretching.cpp and channel.cpp.
 LatticeBox stretching_box(const Case& c) {
   if (c.stretching.method == "static") return {};
-  const double r = to_lattice(c).cell_radius;
+  const double r = c.cell.radius_um / c.fluid.lattice_spacing_um;
   return {std::ceil(5.6 * r), std::ceil(4.0 * r), std::ceil(1.2 * r)};
 }
 
 LatticeBox channel_box(const Case& c) {
-  const double width = std::round(c.channel.width_um / c.fluid.lattice_spacing_um);
-  return {2, width + 4, static_cast<double>(to_lattice(c).nz)};
+  return {2, c.channel.width_um / c.fluid.lattice_spacing_um + 4, streamlines_box(c).nz};
 }
 
 ExpectedWork streamlines_work(const Case& c) {
   const LatticeParameters l = to_lattice(c);
-  return of_steps(steady_steps(c, l), nodes(streamlines_box(c)) * open_share(c));
+  return of_steps(steady_steps(c, l), streamlines_box(c).nodes() * open_share(c));
 }
 
 ExpectedWork passage_work(const Case& c) {
@@ -86,20 +81,20 @@ ExpectedWork passage_work(const Case& c) {
   const double per_row = l.nx / (array_share * slit_speed);
   const double rows = c.stop.max_rows > 0 && c.stop.when == "rows" ? c.stop.max_rows : typical_rows;
   const double passing = std::min(rows * per_row, static_cast<double>(c.stop.max_steps));
-  ExpectedWork work = of_steps(steady_steps(c, l) + passing, nodes(passage_box(c)) * open_share(c));
+  ExpectedWork work = of_steps(steady_steps(c, l) + passing, passage_box(c).nodes() * open_share(c));
   work.steps_per_row = per_row;
   work.membrane_updates = passing * vertices(c);
   return work;
 }
 
 ExpectedWork channel_work(const Case& c) {
-  return of_steps(steady_steps(c, to_lattice(c)), nodes(channel_box(c)));
+  return of_steps(steady_steps(c, to_lattice(c)), channel_box(c).nodes());
 }
 
 ExpectedWork shear_work(const Case& c) {
   const LatticeParameters l = to_lattice(c);
   const double rate = c.shear.reynolds_number * l.viscosity / (l.cell_radius * l.cell_radius);
-  ExpectedWork work = of_steps(c.shear.duration / rate, nodes(shear_box(c)));
+  ExpectedWork work = of_steps(c.shear.duration / rate, shear_box(c).nodes());
   work.membrane_updates = work.steps * vertices(c);
   return work;
 }
@@ -107,7 +102,7 @@ ExpectedWork shear_work(const Case& c) {
 ExpectedWork stretching_work(const Case& c) {
   const auto forces = static_cast<double>(c.stretching.forces_pN.size());
   if (c.stretching.method == "coupled") {
-    ExpectedWork work = of_steps(forces * coupled_steps_per_force, nodes(stretching_box(c)));
+    ExpectedWork work = of_steps(forces * coupled_steps_per_force, stretching_box(c).nodes());
     work.membrane_updates = work.steps * vertices(c);
     return work;
   }
@@ -116,16 +111,6 @@ ExpectedWork stretching_work(const Case& c) {
   work.membrane_updates = work.steps * vertices(c);
   work.seconds_on_one_core = work.membrane_updates / vertex_rate;
   return work;
-}
-
-double memory_bytes(const Case& c) {
-  const LatticeBox box = rules_of(c.scene).box(c);
-  if (nodes(box) == 0) return 1024 * 1024;
-  // 19 populations (streamed in place), velocity, force, relaxation time and fluid mask; rows are filled up
-  // to cache lines and have one more for their ghosts, as there is a ghost plane at either end.
-  constexpr double numbers_per_node = 19 + 3 + 3 + 1 + 1, line = 16;
-  const double row = (std::ceil(box.ny / line) + 1) * line;
-  return (box.nx + 2) * row * box.nz * numbers_per_node * (c.fluid.precision == "single" ? 4 : 8);
 }
 
 }  // namespace dld

@@ -17,7 +17,4 @@ LatticeBox stretching_box(const Case& c);
 LatticeBox channel_box(const Case& c);
 LatticeBox shear_box(const Case& c);
 
-/// Bytes of the fields of the case's scene; about 1 MB where there is no fluid.
-double memory_bytes(const Case& c);
-
 }  // namespace dld

@@ -104,7 +104,7 @@ Scene channel_scene() {
   return {{.name = "channel",
            .sections = {"geometry", "fluid", "stop", "channel", "output"},
            .check = check_channel,
-           .margins = no_margins,
+           .margins = channel_margins,
            .work = channel_work,
            .box = channel_box},
           run_channel};

@@ -18,7 +18,8 @@ enum class Status {
   zigzag,       ///< passage: fell back a lane again and again
   undecided,    ///< passage: no proof of either within the allowed rows or steps
   diverged,     ///< a quantity left its bounds; the summary names it
-  interrupted,  ///< by a signal or the end of the wall time; what a scene saves for its continuation is its checkpoint, if it has one
+  interrupted,  ///< by a signal or the end of the wall time; what a scene saves for its continuation is its
+                ///< checkpoint, if it has one
 };
 
 std::string to_string(Status status);

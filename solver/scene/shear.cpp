@@ -141,7 +141,7 @@ Scene shear_scene() {
   return {{.name = "shear",
            .sections = {"fluid", "cell", "coupling", "stop", "shear", "output"},
            .check = check_shear,
-           .margins = no_margins,
+           .margins = shear_margins,
            .work = shear_work,
            .box = shear_box},
           run_shear};

@@ -127,4 +127,24 @@ TEST(PassageExtent, MaximumCentreAndFilm) {
   EXPECT_NEAR(passage.vertices_at_max().col(0).mean(), 80, 0.21);
 }
 
+// What a checkpoint keeps of a passage that is half over tells the rest of it to the last bit.
+TEST(PassageExtent, GoesOnFromItsNumbers) {
+  const Surface s = ellipsoid(10, 5, 4, 40, 16);
+  for (long stop = 0; stop <= 100; stop += 10) {
+    dld::PassageExtent whole(80), resumed(80);
+    for (long step = 0; step <= 100; ++step) {
+      const Eigen::Vector3d centre(60.2 + 0.4 * static_cast<double>(step), 30 + std::sin(0.1 * double(step)),
+                                   0);
+      const Eigen::MatrixX3d x = s.vertices.rowwise() + centre.transpose();
+      whole.update(x, s.faces, centre, 1 + 0.1 * double(step % 7), step);
+      if (step == stop) resumed = dld::PassageExtent::from(whole.numbers(), whole.vertices_at_max());
+      if (step > stop) resumed.update(x, s.faces, centre, 1 + 0.1 * double(step % 7), step);
+    }
+    EXPECT_EQ(resumed.numbers(), whole.numbers()) << stop;
+    EXPECT_EQ(resumed.vertices_at_max(), whole.vertices_at_max()) << stop;
+    EXPECT_GT(resumed.max_width(), 0);
+  }
+  EXPECT_THROW(dld::PassageExtent::from({80, 1}, {}), std::invalid_argument);
+}
+
 }  // namespace

@@ -11,6 +11,7 @@
 #include "output/checkpoint.hpp"
 #include "output/hdf5_file.hpp"
 #include "output/interrupt.hpp"
+#include "output/memory_limit.hpp"
 #include "output/progress.hpp"
 #include "output/provenance.hpp"
 #include "output/xdmf.hpp"
@@ -264,6 +265,41 @@ TEST(ProgressText, TerminalRewritesItsLine) {
   EXPECT_EQ(std::ranges::count(text, '\r'), 3);
   EXPECT_EQ(std::ranges::count(text, '\n'), 1);
   EXPECT_EQ(text.find('%'), std::string::npos);  // the total is unknown
+}
+
+// While a run is set up, which nobody can look at, a signal ends it and tidies the file that was begun.
+TEST_F(Output, ASignalDuringTheSetUpEndsTheProgram) {
+  const fs::path part = Hdf5File::part_of(folder_ / "out.h5");
+  std::ofstream(part) << "begun";
+  const auto set_up = [&] {
+    catch_interrupts(part);
+    std::raise(SIGTERM);
+  };
+  EXPECT_EXIT(set_up(), testing::ExitedWithCode(128 + SIGTERM), "before the first step");
+  EXPECT_FALSE(fs::exists(part));
+}
+
+TEST_F(Output, MemoryIsLimitedByTheTightestOfMachineAndGroups) {
+  const auto write = [&](const std::string& name, const std::string& text) {
+    fs::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name) << text;
+  };
+  EXPECT_FALSE(memory_limit(folder_).has_value());
+  write("proc/meminfo", "MemTotal: 9000000 kB\nMemAvailable: 2048000 kB\n");
+  EXPECT_EQ(memory_limit(folder_)->MiB, 2000);
+  EXPECT_NE(memory_limit(folder_)->by.find("machine"), std::string::npos);
+  write("proc/self/cgroup", "0::/jobs/one\n");
+  write("sys/fs/cgroup/jobs/one/memory.max", "max\n");
+  EXPECT_EQ(memory_limit(folder_)->MiB, 2000);
+  write("sys/fs/cgroup/jobs/memory.max", "1073741824\n");
+  write("sys/fs/cgroup/jobs/memory.current", "104857600\n");
+  EXPECT_EQ(memory_limit(folder_)->MiB, 1024 - 100);
+  EXPECT_NE(memory_limit(folder_)->by.find("group"), std::string::npos);
+  write("proc/self/cgroup", "5:memory:/job\n");
+  write("sys/fs/cgroup/memory/job/memory.limit_in_bytes", "9223372036854771712\n");  // no limit
+  EXPECT_EQ(memory_limit(folder_)->MiB, 2000);
+  write("sys/fs/cgroup/memory/job/memory.limit_in_bytes", "209715200\n");
+  EXPECT_EQ(memory_limit(folder_)->MiB, 200);
 }
 
 TEST(Interrupt, SignalSetsTheFlag) {

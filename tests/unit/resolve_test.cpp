@@ -11,6 +11,7 @@
 #include "parameters/consistency.hpp"
 #include "parameters/declaration.hpp"
 #include "parameters/limits.hpp"
+#include "parameters/memory.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/work.hpp"
 #include "scene/registry.hpp"
@@ -113,7 +114,7 @@ TEST(Work, OfEverySceneIsPositive) {
     EXPECT_GT(work.steps, 0) << rules.name;
     EXPECT_GT(work.node_updates + work.membrane_updates, 0) << rules.name;
     EXPECT_GT(work.seconds_on_one_core, 0) << rules.name;
-    EXPECT_GT(memory_bytes(c), 0) << rules.name;
+    EXPECT_GT(memory_MiB(c), 0) << rules.name;
   }
 }
 
@@ -126,21 +127,6 @@ TEST(Work, OfAPassageGoesWithItsRowsAndItsSpeed) {
   c.stop.when = "rows";
   c.stop.max_rows = 100;
   EXPECT_GT(passage_work(c).steps, 100 * 2 * typical);
-}
-
-TEST(Work, MemoryIsThatOfTheLattice) {
-  Case c;
-  c.geometry.pitch_um = 16;
-  c.geometry.pillar_radius_um = 5;
-  for (const char* precision : {"single", "double"}) {
-    c.fluid.precision = precision;
-    const Device device = device_lu(c);
-    const double bytes = with_precision(c, [&]<class Real>() {
-      const UnitCell cell = make_unit_cell(c, device);
-      return static_cast<double>(Lattice<Real>(cell, make_fluid_model(c)).memory_bytes());
-    });
-    EXPECT_NEAR(memory_bytes(c) / bytes, 1, 0.05) << precision;
-  }
 }
 
 }  // namespace

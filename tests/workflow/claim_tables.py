@@ -3,8 +3,8 @@
 import math
 
 import pandas as pd
-from study.paper import claims_boundary, claims_classes, claims_extent, claims_flow  # noqa: F401 (register checks)
 from study.analysis.boundary import UNDISPUTED
+from study.paper import claims_boundary, claims_classes, claims_extent, claims_flow  # noqa: F401 (register checks)
 from study.paper.claims import CHECKS
 from study.paper.grades import NOT_RUN, graded
 from study.paper.readings import view

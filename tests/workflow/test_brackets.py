@@ -5,7 +5,6 @@ import subprocess
 import sys
 
 import pytest
-from programs import program
 from study.planning import brackets
 
 CAPILLARY = {"name": "test", "axis": "capillary_number", "tolerance": 0.03, "levels": 5}

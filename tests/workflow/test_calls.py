@@ -11,9 +11,9 @@ from pathlib import Path
 
 import pytest
 import yaml
+from study.analysis.solve import status_in
 from study.planning import failures
 from study.planning.lock import Busy, only_looks, taken
-from study.planning.solve import status_in
 
 ROOT = Path(__file__).resolve().parents[2]
 ENVIRONMENT = os.environ | {"PYTHONPATH": str(ROOT / "workflow")}

@@ -6,8 +6,8 @@ import re
 
 import pandas as pd
 import pytest
-from study.paper import claims_boundary, claims_classes, claims_extent, claims_flow  # noqa: F401 (register checks)
 from study.analysis.boundary import PARAMETERS, critical_capillary_number
+from study.paper import claims_boundary, claims_classes, claims_extent, claims_flow  # noqa: F401 (register checks)
 from study.paper.claims import CHECKS, load_claims
 from study.paper.grades import OTHERWISE
 from study.planning.plan import read_json, validated

@@ -1,6 +1,5 @@
-"""Runs that are stopped: within a second, with the exit code of what stopped them, and the run that goes
-on ends with the same bytes, wherever a signal, a kill or the end of the wall time came. Where the solver is
-built."""
+"""Runs that are stopped: within a second, with the exit code of what stopped them; the run that goes on ends
+with the same bytes, wherever a signal, a kill or the end of the wall time came. Where the solver is built."""
 
 import json
 import random

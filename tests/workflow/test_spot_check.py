@@ -6,7 +6,6 @@ import sys
 
 import pandas as pd
 import pytest
-from programs import program
 from study.analysis.passages import COLUMNS, row_of
 from study.analysis.runs import passage_runs
 from study.analysis.spot_check import case_of, compared, drawn, texts

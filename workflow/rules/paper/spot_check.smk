@@ -14,6 +14,7 @@ import pandas as pd
 
 from study.paper.claim_runs import runs_of_claim
 from study.analysis.spot_check import drawn
+from study.analysis.spot_check import asked, drawn
 
 SPOT = f"{RESULTS}/spot_check"
 COMMITTED_PASSAGES = f"{TABLES}/passages.csv"
@@ -23,8 +24,8 @@ def spot_results(_):
     """Files of the passages that are drawn."""
     if not Path(COMMITTED_PASSAGES).exists():
         raise ValueError(f"{COMMITTED_PASSAGES} is not there: nothing to check against")
-    limit, count, seed = (config.get(*o) for o in (("most_node_updates", 1e99), ("sample", 20), ("seed", 1)))
-    runs = drawn(pd.read_csv(COMMITTED_PASSAGES), int(count), int(seed), float(limit))
+    limit, count, seed = asked(config)
+    runs = drawn(pd.read_csv(COMMITTED_PASSAGES), count, seed, limit)
     return expand(f"{SPOT}/{{run}}.json", run=runs)
 
 

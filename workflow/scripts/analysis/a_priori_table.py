@@ -8,11 +8,11 @@ The summary gives for each rule how often it is right and the fluid work behind 
 from pathlib import Path
 
 from study.analysis.arguments import required_arguments
+from study.analysis.runs import checked_summary
 from study.analysis.tables import read_table, write_table
 from study.analysis.tweezer import SeparationCurve, TweezerCurve
 from study.paper.claims import load_claims
 from study.planning.classes import DECIDED
-from study.planning.plan import read_json
 
 COLUMNS = [
     "sweep",
@@ -77,7 +77,7 @@ def flow_work(separation, runs):
     """Node updates of the flows of a variant, all row shifts together: {variant: updates}."""
     work = {}
     for variant, rows in separation[separation.run.notna()].groupby("variant"):
-        summaries = [read_json(Path(runs) / run / "summary.json") for run in rows.run]
+        summaries = [checked_summary(Path(runs) / run) for run in rows.run]
         work[variant] = sum(summary.get("node_updates", 0) for summary in summaries)
     return work
 

@@ -2,8 +2,8 @@
 diameter separately, and the Skalak denominator that fits best (parabola in its logarithm; empty if it is at
 the end of the examined range). The sets are never mixed; points without an error bar are left out."""
 
-import pandas as pd
 from study.analysis.arguments import required_arguments
+from study.analysis.measured import read_measured
 from study.analysis.tables import read_table, write_table
 from study.numerics.fits import chi_squared, parabola_minimum
 
@@ -50,7 +50,7 @@ def main():
     arguments = required_arguments(__doc__, "table", "experiment", "output")
     table = read_table(arguments.table)
     curves = table[(table.method == "static") & (table.status == "converged")]
-    experiment = pd.read_csv(arguments.experiment, comment="#")
+    experiment = read_measured(arguments.experiment)
     rows = []
     for set_name in sorted(experiment.set.unique()):
         for diameter in DIAMETERS:

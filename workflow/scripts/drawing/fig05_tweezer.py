@@ -2,6 +2,7 @@
 
 import pandas as pd
 from study.analysis.arguments import figure_arguments
+from study.analysis.measured import read_measured
 from study.analysis.surface import draw_cell
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
@@ -50,7 +51,7 @@ def draw_diameters(axes, static, coupled, experiment):
 def main():
     arguments = figure_arguments(__doc__, "table", "experiment", "shapes", "faces")
     plan = read_json(arguments.plan)
-    table, experiment = read_table(arguments.table), pd.read_csv(arguments.experiment, comment="#")
+    table, experiment = read_table(arguments.table), read_measured(arguments.experiment)
     shown = table.skalak_denominator.isin(plan["figures"]["tweezer_denominators"])
     static, coupled = table[shown & (table.method == "static")], table[table.method == "coupled"]
 

@@ -8,7 +8,7 @@ missing says so: its tier examines less than the whole, or the run failed.
 import argparse
 from pathlib import Path
 
-import pandas as pd
+from study.analysis.measured import read_measured
 from study.analysis.tables import read_table, write_table
 from study.paper import (  # noqa: F401 (register checks)
     claims_boundary,
@@ -106,7 +106,7 @@ def main():
     parser.add_argument("--markdown", required=True)
     arguments = parser.parse_args()
     tables = {name: read_table(Path(arguments.tables) / f"{name}.csv") for name in TABLES}
-    experiment = pd.read_csv(arguments.experiment, comment="#")
+    experiment = read_measured(arguments.experiment)
     declared = validated(arguments.claims, "claims")
     readings = declared["readings"]
     views = {reading["id"]: view(tables, reading) for reading in readings}

@@ -5,9 +5,9 @@ import argparse
 import json
 from pathlib import Path
 
+from study.analysis.solve import solved
 from study.planning.brackets import at_value
 from study.planning.plan import read_json
-from study.planning.solve import solved
 
 
 def wanted(state, side, confirm):

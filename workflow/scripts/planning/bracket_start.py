@@ -4,6 +4,7 @@ import argparse
 import json
 from pathlib import Path
 
+from study.analysis.runs import checked_summary
 from study.planning.brackets import bracket
 from study.planning.plan import read_json
 
@@ -16,7 +17,7 @@ arguments = parser.parse_args()
 
 definition = read_json(arguments.plan)["brackets"][arguments.name]
 points = [
-    {"value": value, "class": read_json(Path(arguments.runs) / run / "summary.json")["status"], "run": run}
+    {"value": value, "class": checked_summary(Path(arguments.runs) / run)["status"], "run": run}
     for value, run in definition["known"]
 ]
 state = bracket(points, definition)

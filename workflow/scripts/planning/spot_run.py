@@ -11,10 +11,10 @@ import pandas as pd
 from study.analysis.arguments import required_arguments
 from study.analysis.passages import row_of
 from study.analysis.runs import Run
+from study.analysis.solve import solved
 from study.analysis.spot_check import compared, texts
 from study.paper.claim_runs import NUMBERS, case_of_run, judged, numbers_in, numbers_of
 from study.planning.plan import read_json
-from study.planning.solve import solved
 
 
 def passage(committed, run):

@@ -2,6 +2,8 @@
 
 import csv
 import json
+import re
+import zlib
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,6 +11,79 @@ import h5py
 import numpy as np
 
 from study.planning.plan import read_json, study_brackets
+
+#: What the solver writes behind the HDF5 data: length and CRC-32 of every byte before it.
+SEAL_BEGIN = b"\ndld seal "
+SEAL = re.compile(re.escape(SEAL_BEGIN) + rb"([0-9a-f]{16}) ([0-9a-f]{16})\n")
+SEAL_LENGTH = 44
+#: Attribute of the files that end with a seal; those of earlier versions do not.
+SEALED = "sealed"
+
+
+class DamagedRun(ValueError):
+    """The files of a run are not what the solver wrote, or do not belong together."""
+
+    def __init__(self, path, reason):
+        super().__init__(f"{path}: {reason}. Remove {path.parent} and start again: its run is made again")
+
+
+def seal_holds(path):
+    """Whether a file ends with a seal and has every byte that it had then; None for a file without a seal."""
+    content = path.read_bytes()
+    found, data = content[-SEAL_LENGTH:], memoryview(content)[:-SEAL_LENGTH]
+    if not found.startswith(SEAL_BEGIN):
+        return None
+    seal = SEAL.fullmatch(found)
+    return bool(seal) and [int(part, 16) for part in seal.groups()] == [len(data), zlib.crc32(data)]
+
+
+def differing(part, whole, place=""):
+    """Places where a case differs from a more complete one; `epsilon` is another way of giving a length."""
+    for name, value in part.items():
+        if name == "epsilon":
+            continue
+        if isinstance(value, dict):
+            yield from differing(value, whole.get(name, {}), f"{place}/{name}")
+        elif whole.get(name, value) != value:
+            yield f"{place}/{name}"
+
+
+def opened(path):
+    """The HDF5 file of a finished run, for a `with`; DamagedRun if it is not as it was written."""
+    broken = "has changed since it was written: its seal is broken"
+    try:
+        seal = seal_holds(path)
+        if seal is False:
+            raise DamagedRun(path, broken)
+        file = h5py.File(path, "r")
+    except FileNotFoundError:
+        raise DamagedRun(path, "is not there") from None
+    except OSError:
+        raise DamagedRun(path, "is not a complete HDF5 file") from None
+    if SEALED in file.attrs and not seal:
+        file.close()
+        raise DamagedRun(path, broken)
+    return file
+
+
+def checked_summary(folder, case=None):
+    """summary.json of a finished run; DamagedRun if its run.h5 says otherwise, or is of another case."""
+    path, run = folder / "summary.json", folder / "run.h5"
+    try:
+        summary = read_json(path)
+    except FileNotFoundError:
+        raise DamagedRun(path, "is not there") from None
+    except ValueError:
+        raise DamagedRun(path, "is empty or no JSON") from None
+    with opened(run) as file:
+        attributes = {
+            name: json.loads(file.attrs[name]) for name in ("summary", "case") if name in file.attrs
+        }
+    if attributes.get("summary", summary) != summary:
+        raise DamagedRun(path, "is not the summary in run.h5: it was changed, or is of another run")
+    if case is not None and (places := list(differing(case, attributes.get("case", case)))):
+        raise DamagedRun(run, f"is of another case: {', '.join(places)} differ")
+    return summary
 
 
 @dataclass(frozen=True)
@@ -23,7 +98,7 @@ class Run:
 
     @property
     def summary(self):
-        return read_json(self.folder / "summary.json")
+        return checked_summary(self.folder, self.case)
 
     @property
     def dx_um(self):
@@ -46,7 +121,7 @@ class Run:
 
     def open(self):
         """The run's HDF5 file, to be used in a `with`."""
-        return h5py.File(self.folder / "run.h5", "r")
+        return opened(self.folder / "run.h5")
 
     def data(self, name):
         """One dataset, or None if the run did not write it."""

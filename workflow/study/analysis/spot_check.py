@@ -18,6 +18,29 @@ SAME, ALIKE, OTHER = "same", "alike", "other"
 LABELS = ("class", "zigs")
 
 
+def asked(config):
+    """(most_node_updates, sample, seed) of the options of the command line, where every value may be a text;
+    a ValueError that lists what is wrong with them."""
+    ranges = {
+        "most_node_updates": (1e99, float, 1, "a number of at least 1, such as 5e9"),
+        "sample": (20, int, 1, "a whole number of at least 1"),
+        "seed": (1, int, 0, "a whole number of at least 0"),
+    }
+    values, found = [], []
+    for name, (default, kind, least, words) in ranges.items():
+        given = config.get(name, default)
+        try:
+            value = kind(str(given))
+        except ValueError:
+            value = None
+        if value is None or not value >= least or value == float("inf"):
+            found.append(f"--config {name}={given}: {words} is needed")
+        values.append(value)
+    if found:
+        raise ValueError("\n".join(found))
+    return tuple(values)
+
+
 def drawn(table, count, seed, most_node_updates):
     """`count` runs of a table of passages (all, if it has fewer), drawn without replacement, every run with
     the same chance; runs with more node updates than `most_node_updates` are left out."""

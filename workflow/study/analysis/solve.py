@@ -3,9 +3,11 @@
 import fcntl
 import json
 import subprocess
+import sys
 import time
 from pathlib import Path
 
+from study.analysis.runs import DamagedRun, checked_summary
 from study.planning.classes import DECIDED
 from study.planning.failures import FAILED, status_of
 from study.planning.plan import run_id
@@ -15,9 +17,19 @@ ENDED = (*FINISHED, FAILED)
 
 
 def status_in(folder):
-    """Class of a run that ended in its folder; None if it is not there or was interrupted."""
+    """Class of a run that ended in its folder; None if it is to be made: it is not there, was interrupted, or
+    its files are damaged."""
     summary = folder / "summary.json"
-    return status if (status := status_of(summary)) in ENDED else None
+    if not summary.exists():
+        return None
+    if (status := status_of(summary)) == FAILED:
+        return status
+    try:
+        status = checked_summary(folder)["status"]
+    except DamagedRun as problem:
+        print(problem, file=sys.stderr)
+        return None
+    return status if status in ENDED else None
 
 
 def solved(case, solver_model, runs, runner, dld):
