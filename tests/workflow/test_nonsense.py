@@ -25,7 +25,7 @@ REFUSED = {
         {"scene": "shear", "shear": {"reynolds_number": 1e-30}},
         "/shear/reynolds_number",
     ),
-    "walls faster than sound": ({"scene": "shear", "shear": {"reynolds_number": 1000}}, "speed of the walls"),
+    "walls faster than sound": ({"scene": "shear", "shear": {"reynolds_number": 100}}, "speed of the walls"),
     "a duration of no step": ({"scene": "shear", "shear": {"duration": 1e-9}}, "at least 20 time steps"),
     "a duration without end": ({"scene": "shear", "shear": {"duration": 1e6}}, "raise /stop/max_steps"),
     "a force that rounds to none": (
@@ -99,7 +99,7 @@ def test_the_slip_is_that_of_the_channel(tmp_path):
     assert summary_of(tmp_path)["slip"] * 1.5 == pytest.approx(slip, rel=0.02)
 
 
-@pytest.mark.parametrize(("duration", "status"), [(0.1, "undecided"), (3, "converged")])
+@pytest.mark.parametrize(("duration", "status"), [(0.2, "undecided"), (3, "converged")])
 def test_a_sheared_capsule_is_converged_when_its_deformation_is_steady(tmp_path, duration, status):
     assert solver(tmp_path, merged(SHEAR, {"shear": {"duration": duration}}), "--force").returncode == 0
     summary = summary_of(tmp_path)
@@ -174,9 +174,8 @@ def test_running_out_of_memory_names_the_need(tmp_path):
     assert done.returncode == 2 and "out of memory; it needs about" in done.stderr
 
 
-@pytest.mark.parametrize("name", ["streamlines", "channel"])
-def test_the_memory_that_is_told_is_taken(tmp_path, name):
-    case = merged(BIG[name], {"stop": {"max_steps": 2}, "output": {"flow_field": False}})
+def test_the_memory_that_is_told_is_taken(tmp_path):
+    case = merged(BIG["streamlines"], {"stop": {"max_steps": 2}, "output": {"flow_field": False}})
     report = json.loads(solver(tmp_path, case, "--force", command="check").stdout)
     words = [DLD, "run", tmp_path / "case.json", tmp_path / "run.h5", "--force"]
     with subprocess.Popen(words, stderr=subprocess.DEVNULL) as running:
