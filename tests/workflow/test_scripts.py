@@ -3,10 +3,12 @@
 import json
 import shutil
 
+import h5py
 import pandas as pd
 import pytest
 from study.grades import CONTRADICTS, GRADES, HOLDS, NOT_REPRODUCED, NOT_RUN, REPRODUCED
 from study.plan import read_json
+from study.points import STUDY_GROUPS
 from study.wording import WORDS
 
 EXPERIMENT = "params/experiment/tweezer_experiment.csv"
@@ -112,6 +114,53 @@ def test_a_stokes_flow_that_diverged_is_a_row_without_a_comparison(results, call
     assert hit.sum() == 1
     assert table[hit].relative_change.isna().all()
     assert table[~hit].relative_change.notna().all()
+
+
+@pytest.fixture
+def with_failures(results, tmp_path):
+    """A tier of made-up runs in which the first run of every group failed; its folder and those runs."""
+    if "smoke" not in results.name:
+        pytest.skip("one tier is enough")
+    plan = read_json(results / "plan.json")
+    shutil.copy(results / "plan.json", tmp_path)
+    (tmp_path / "brackets").symlink_to(results / "brackets")
+    first = {run["group"]: run for run in reversed(plan["runs"]) if run["group"] in STUDY_GROUPS}
+    failed = {run["id"] for run in first.values()}
+    for run in (results / "runs").iterdir():
+        place = tmp_path / "runs" / run.name
+        place.parent.mkdir(exist_ok=True)
+        if run.name not in failed:
+            place.symlink_to(run)
+            continue
+        place.mkdir()
+        shutil.copy(run / "case.json", place)
+        (place / "summary.json").write_text('{"status": "failed", "reason": "no room"}', encoding="utf-8")
+        with h5py.File(place / "run.h5", "w") as file:
+            file.attrs.update({"status": "failed", "provenance": "{}"})
+    return tmp_path, failed
+
+
+def test_runs_that_failed_leave_the_tables_of_the_others(with_failures, call):
+    folder, failed = with_failures
+    given = {"plan": folder / "plan.json", "runs": folder / "runs"}
+    for script in ("streamline_table", "stokes_checks", "stretching_table"):
+        call(script, **given, output=folder / f"{script}.csv")
+    passages(folder, folder, given, call)
+    call(
+        "sensitivity_table",
+        **given,
+        boundary=folder / "phase_boundary.csv",
+        output=folder / "sensitivity.csv",
+    )
+    call("trajectories", **given, output=folder / "fig06.csv")
+    thumbnails = {"trajectories": folder / "thumbnails.csv", "provenance": folder / "provenance.csv"}
+    call("report_data", **given, groups="passages", brackets=folder / "brackets", **thumbnails)
+    table = pd.read_csv(folder / "passages.csv")
+    hit = table.run.isin(failed)
+    assert hit.any() and set(table[hit]["class"]) == {"failed"}
+    assert table[~hit].d_perp_um.notna().any()
+    assert len(pd.read_csv(folder / "stretching_table.csv"))
+    assert pd.read_csv(folder / "streamline_table.csv").status.isin(["failed"]).any()
 
 
 def test_verdicts(tables, results, call, root):

@@ -2,6 +2,7 @@
 ones (smaller force, a membrane update in every step, a farther start, a stricter stop)."""
 
 from study.arguments import table_arguments
+from study.failures import WITHOUT_NUMBERS
 from study.runs import load_runs
 from study.tables import write_table
 
@@ -17,9 +18,9 @@ STYLES["d_perp_relative_change"] = ".5f"
 def measured(run):
     """What is compared of a run; lengths only of one that did not fail."""
     summary = run.summary
-    names = ["d_perp_um", "centre_um"] if summary["status"] != "diverged" else []
+    names = ["d_perp_um", "centre_um"] if summary["status"] not in WITHOUT_NUMBERS else []
     lengths = {name: summary.get(name) for name in names}
-    return lengths | {"class": summary["status"], "steps": summary["steps"], "run": run.id}
+    return lengths | {"class": summary["status"], "steps": summary.get("steps"), "run": run.id}
 
 
 def compared(fast, conservative):

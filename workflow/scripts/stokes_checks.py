@@ -9,6 +9,7 @@ from collections import defaultdict
 
 import numpy as np
 from study.arguments import table_arguments
+from study.failures import WITHOUT_NUMBERS
 from study.runs import load_runs
 from study.tables import write_table
 
@@ -62,7 +63,7 @@ def row_of(runs):
         "force_density_high": forces[1],
         "runs": f"{low.id} {high.id}",
     }
-    if "diverged" in (one["status"] for one in summaries):
+    if any(one["status"] in WITHOUT_NUMBERS for one in summaries):
         return row  # a labelled gap: there is no flow to compare
     mobilities = [s["mean_velocity"] / force for s, force in zip(summaries, forces, strict=True)]
     (low_max, _), (high_max, high_rms) = reversal(low), reversal(high)

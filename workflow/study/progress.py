@@ -80,6 +80,9 @@ def described(rule, wildcards, plan, threads=1):
         name = f"{axis} of {wildcards['bracket']}"
         seconds = seconds_of_case(case)
         return Job("passages of brackets", name, seconds, case["scene"], wildcards["bracket"])
+    if rule == "spot_run" and wildcards["run"] in runs:
+        case = runs[wildcards["run"]]["case"]
+        return Job("runs made again", point_in_words(case), seconds_of_case(case), case["scene"])
     if rule == "build":
         return Job("solver", "building the solver", LONGER["build"], OTHER, "", None, threads)
     stage = "figures" if rule.startswith("fig") or rule.startswith("anim") else "tables"

@@ -8,7 +8,7 @@ from PIL import Image
 
 from study.pictures import png_with_palette
 
-CLASSES = ["displaced", "zigzag", "undecided", "diverged", "interrupted"]
+CLASSES = ["displaced", "zigzag", "undecided", "diverged", "failed", "interrupted"]
 IMAGE_WIDTH = 1380  # pixels; twice the width at which the page shows a figure
 SHOWN = ["d_perp_um", "film_um", "crossings", "steps", "wall_s"]
 

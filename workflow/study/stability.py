@@ -3,6 +3,7 @@
 import math
 from itertools import pairwise, product
 
+from study.failures import WITHOUT_NUMBERS
 from study.points import merged
 
 #: Beyond these a finished run counts as inaccurate: the project's bounds for its own runs, on what every run
@@ -47,7 +48,7 @@ def long_run(tier):
 
 def judge(summary):
     """Status of a run and the quantity that decides it (None if the run works)."""
-    if summary["status"] == "diverged":
+    if summary["status"] in WITHOUT_NUMBERS:
         return "fails", summary.get("failing_quantity")
     for name, bound in INACCURATE.items():
         if not abs(summary[name]) <= bound:
