@@ -177,6 +177,11 @@ def test_verdicts(tables, results, call, root):
     assert set(table.filter(like="verdict").to_numpy().ravel()) <= set(GRADES)
     assert all(f"(`{name}`)" in markdown.read_text() for name in verdict.index)
     assert ("a test of the rules, no result" in markdown.read_text()) == (tier == "smoke")
+    assert table.check.str.startswith("study.claims_").all()
+    drawn = {path.stem for path in (root / "results/figures").glob("*.png")}
+    assert set(table.figure.dropna()) <= drawn
+    assert table.tables.notna().all()
+    assert table.tables["phase-boundary"] == "fits phase_boundary"
     if tier == "smoke":
         assert set(verdict) == {NOT_RUN}
     else:
@@ -272,8 +277,8 @@ def test_the_sensitivity_study_states_every_choice_and_its_change(tables, result
     assert factor.relative_change.to_numpy() == pytest.approx(1 / 1.6 - 1, abs=1e-3)
 
 
-def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, root):
-    def make(folder):
+def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, call_apart, root):
+    def make(folder, call):
         plan, runs = {"plan": results / "plan.json"}, {"runs": results / "runs"}
         shapes = {name: folder / f"{name}.csv" for name in ("fig03", "fig05", "faces")}
         folder.mkdir()
@@ -311,9 +316,9 @@ def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, root
         call("animation", **plan, outlines=folder / "animation.csv", **output)
         return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
 
-    first = make(results / "drawn")
+    first = make(results / "drawn", call)
     assert sum(name.endswith(".pdf") for name in first) == 10
     assert sum(name.endswith(".png") for name in first) == 10
     if "smoke" in results.name:
-        second = make(results / "figures-again")
+        second = make(results / "figures-again", call_apart)
         assert [name for name in first if first[name] != second[name]] == []
