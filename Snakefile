@@ -43,7 +43,7 @@ RUNS = "results/runs"  # shared by all studies and tiers: a run's name is its ca
 PLANNED = [run["id"] for run in PLAN["runs"]]
 if workflow.is_main_process and not only_looks(sys.argv[1:]):
     try:
-        LOCK = taken(".snakemake/study.lock", sys.argv)  # held while this process lives
+        LOCK = taken(".snakemake/study.lock", ["snakemake", *sys.argv[1:]])  # held while this process lives
     except Busy as who:
         raise WorkflowError(str(who)) from None
     forget(PLANNED, RUNS, f"{RESULTS}/brackets")

@@ -157,13 +157,13 @@ def test_settings_check_compares_the_same_point(check, study):
     assert (rows.same_class == (rows["class"] == rows.conservative_class)).all()
 
 
-def test_diagrams_and_conclusions_follow_from_the_table(table, check, results, call):
+def test_diagrams_and_conclusions_follow_from_the_table(table, check, results, call, call_apart):
     plan = {"plan": results / "plan.json", "table": table}
     for study in ("flow", "tweezer", "passages"):
         pdf = results / "figures" / f"work_precision_{study}.pdf"
         call("work_precision", **plan, study=study, csv=pdf.with_suffix(".csv"), output=pdf)
         first = pdf.read_bytes()
-        call("work_precision", **plan, study=study, csv=pdf.with_suffix(".csv"), output=pdf)
+        call_apart("work_precision", **plan, study=study, csv=pdf.with_suffix(".csv"), output=pdf)
         assert pdf.read_bytes() == first
         assert pdf.with_suffix(".png").stat().st_size > 10_000
     text = results / "accuracy_conclusions.md"

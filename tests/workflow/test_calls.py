@@ -183,3 +183,31 @@ def test_a_failed_run_leaves_readable_files(folder):
     run_case(folder, "exit 4").communicate(timeout=60)
     assert json.loads((folder / "summary.json").read_text())["status"] == failures.FAILED
     assert (folder / "run.h5").stat().st_size > 0
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        ("", "--logger study"),
+        ("tier=quick", "--config tier=quick --logger study"),
+        ("--config tier=smoke dld=x -n", "--config tier=smoke dld=x --logger study"),
+        ("redraw", "--profile workflow/profiles/redraw redraw"),
+        ("tier=quick redraw=fig07", "--config tier=quick only=fig07 --logger study"),
+        ("claim=d-perp-6.8", "--config claim=d-perp-6.8 --logger study"),
+        ("--cores 1 -- results/a.csv", "--keep-going --cores 1 -- results/a.csv"),
+    ],
+)
+def test_the_words_of_reproduce_become_a_call_of_snakemake(tmp_path, words, expected):
+    (tmp_path / "workflow").mkdir()
+    (tmp_path / "workflow/reproduce").write_text((ROOT / "workflow/reproduce").read_text())
+    (tmp_path / "workflow/bootstrap").write_text("")
+    python = tmp_path / ".venv/bin/python"
+    python.parent.mkdir(parents=True)
+    python.write_text('#!/bin/sh\necho "$PYTHONPATH: $*"\n')
+    python.chmod(0o755)
+    command = ["bash", tmp_path / "workflow/reproduce", *words.split()]
+    said = subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+    assert said.startswith(f"{tmp_path}/workflow: -m snakemake") and said.count("-m snakemake") == 1
+    assert expected in said and "--nolock" in said
+    for target in ("redraw", "claim"):
+        assert said.endswith(f" {target}") == (target in words)

@@ -3,11 +3,13 @@
 import json
 import shutil
 
+import h5py
 import pandas as pd
 import pytest
 from study.paper.grades import CONTRADICTS, GRADES, HOLDS, NOT_REPRODUCED, NOT_RUN, REPRODUCED
 from study.paper.wording import WORDS
 from study.planning.plan import read_json
+from study.planning.points import STUDY_GROUPS
 
 EXPERIMENT = "params/experiment/tweezer_experiment.csv"
 EXPECTED = {
@@ -114,6 +116,53 @@ def test_a_stokes_flow_that_diverged_is_a_row_without_a_comparison(results, call
     assert table[~hit].relative_change.notna().all()
 
 
+@pytest.fixture
+def with_failures(results, tmp_path):
+    """A tier of made-up runs in which the first run of every group failed; its folder and those runs."""
+    if "smoke" not in results.name:
+        pytest.skip("one tier is enough")
+    plan = read_json(results / "plan.json")
+    shutil.copy(results / "plan.json", tmp_path)
+    (tmp_path / "brackets").symlink_to(results / "brackets")
+    first = {run["group"]: run for run in reversed(plan["runs"]) if run["group"] in STUDY_GROUPS}
+    failed = {run["id"] for run in first.values()}
+    for run in (results / "runs").iterdir():
+        place = tmp_path / "runs" / run.name
+        place.parent.mkdir(exist_ok=True)
+        if run.name not in failed:
+            place.symlink_to(run)
+            continue
+        place.mkdir()
+        shutil.copy(run / "case.json", place)
+        (place / "summary.json").write_text('{"status": "failed", "reason": "no room"}', encoding="utf-8")
+        with h5py.File(place / "run.h5", "w") as file:
+            file.attrs.update({"status": "failed", "provenance": "{}"})
+    return tmp_path, failed
+
+
+def test_runs_that_failed_leave_the_tables_of_the_others(with_failures, call):
+    folder, failed = with_failures
+    given = {"plan": folder / "plan.json", "runs": folder / "runs"}
+    for script in ("streamline_table", "stokes_checks", "stretching_table"):
+        call(script, **given, output=folder / f"{script}.csv")
+    passages(folder, folder, given, call)
+    call(
+        "sensitivity_table",
+        **given,
+        boundary=folder / "phase_boundary.csv",
+        output=folder / "sensitivity.csv",
+    )
+    call("trajectories", **given, output=folder / "fig06.csv")
+    thumbnails = {"trajectories": folder / "thumbnails.csv", "provenance": folder / "provenance.csv"}
+    call("report_data", **given, groups="passages", brackets=folder / "brackets", **thumbnails)
+    table = pd.read_csv(folder / "passages.csv")
+    hit = table.run.isin(failed)
+    assert hit.any() and set(table[hit]["class"]) == {"failed"}
+    assert table[~hit].d_perp_um.notna().any()
+    assert len(pd.read_csv(folder / "stretching_table.csv"))
+    assert pd.read_csv(folder / "streamline_table.csv").status.isin(["failed"]).any()
+
+
 def test_verdicts(tables, results, call, root):
     csv, markdown = results / "claims.csv", results / "claims.md"
     given = {
@@ -128,6 +177,11 @@ def test_verdicts(tables, results, call, root):
     assert set(table.filter(like="verdict").to_numpy().ravel()) <= set(GRADES)
     assert all(f"(`{name}`)" in markdown.read_text() for name in verdict.index)
     assert ("a test of the rules, no result" in markdown.read_text()) == (tier == "smoke")
+    assert table.check.str.startswith("study.claims_").all()
+    drawn = {path.stem for path in (root / "results/figures").glob("*.png")}
+    assert set(table.figure.dropna()) <= drawn
+    assert table.tables.notna().all()
+    assert table.tables["phase-boundary"] == "fits phase_boundary"
     if tier == "smoke":
         assert set(verdict) == {NOT_RUN}
     else:
@@ -223,8 +277,8 @@ def test_the_sensitivity_study_states_every_choice_and_its_change(tables, result
     assert factor.relative_change.to_numpy() == pytest.approx(1 / 1.6 - 1, abs=1e-3)
 
 
-def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, root):
-    def make(folder):
+def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, call_apart, root):
+    def make(folder, call):
         plan, runs = {"plan": results / "plan.json"}, {"runs": results / "runs"}
         shapes = {name: folder / f"{name}.csv" for name in ("fig03", "fig05", "faces")}
         folder.mkdir()
@@ -262,9 +316,9 @@ def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, root
         call("animation", **plan, outlines=folder / "animation.csv", **output)
         return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
 
-    first = make(results / "drawn")
+    first = make(results / "drawn", call)
     assert sum(name.endswith(".pdf") for name in first) == 10
     assert sum(name.endswith(".png") for name in first) == 10
     if "smoke" in results.name:
-        second = make(results / "figures-again")
+        second = make(results / "figures-again", call_apart)
         assert [name for name in first if first[name] != second[name]] == []

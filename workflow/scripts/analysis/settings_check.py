@@ -4,6 +4,7 @@ ones (smaller force, a membrane update in every step, a farther start, a stricte
 from study.analysis.arguments import table_arguments
 from study.analysis.runs import load_runs
 from study.analysis.tables import write_table
+from study.planning.failures import WITHOUT_NUMBERS
 
 POINT = ["settings", "row_shift_um", "capillary_number"]
 MEASURED = ["class", "d_perp_um", "centre_um", "steps", "run"]
@@ -17,9 +18,9 @@ STYLES["d_perp_relative_change"] = ".5f"
 def measured(run):
     """What is compared of a run; lengths only of one that did not fail."""
     summary = run.summary
-    names = ["d_perp_um", "centre_um"] if summary["status"] != "diverged" else []
+    names = ["d_perp_um", "centre_um"] if summary["status"] not in WITHOUT_NUMBERS else []
     lengths = {name: summary.get(name) for name in names}
-    return lengths | {"class": summary["status"], "steps": summary["steps"], "run": run.id}
+    return lengths | {"class": summary["status"], "steps": summary.get("steps"), "run": run.id}
 
 
 def compared(fast, conservative):

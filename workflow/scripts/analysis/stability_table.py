@@ -36,7 +36,7 @@ def row_of(run):
     return run.labels | {
         "status": status,
         "failing_quantity": quantity,
-        "step": summary.get("failing_step", summary["steps"]),
+        "step": summary.get("failing_step", summary.get("steps")),
         "predicted_share": summary.get("used_share_of_margin"),
         "predicted_quantity": summary.get("tightest_margin"),
         "place": summary.get("failing_place"),

@@ -11,6 +11,7 @@ import numpy as np
 from study.analysis.arguments import table_arguments
 from study.analysis.runs import load_runs
 from study.analysis.tables import write_table
+from study.planning.failures import WITHOUT_NUMBERS
 
 COLUMNS = [
     "row_shift_um",
@@ -62,7 +63,7 @@ def row_of(runs):
         "force_density_high": forces[1],
         "runs": f"{low.id} {high.id}",
     }
-    if "diverged" in (one["status"] for one in summaries):
+    if any(one["status"] in WITHOUT_NUMBERS for one in summaries):
         return row  # a labelled gap: there is no flow to compare
     mobilities = [s["mean_velocity"] / force for s, force in zip(summaries, forces, strict=True)]
     (low_max, _), (high_max, high_rms) = reversal(low), reversal(high)

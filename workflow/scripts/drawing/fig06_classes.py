@@ -18,7 +18,14 @@ COLUMNS = [
 ]
 
 # A class in a field, beside its colour.
-SHORT = {"displaced": "D", "zigzag": "Z", "undecided": "?", "diverged": "×", "interrupted": "–"}
+SHORT = {
+    "displaced": "D",
+    "zigzag": "Z",
+    "undecided": "?",
+    "diverged": "×",
+    "failed": "!",
+    "interrupted": "–",
+}
 SIZE = 7  # of the numbers in the fields, points
 
 

@@ -5,7 +5,14 @@ import numpy as np
 
 from study.drawing import style
 
-MARKERS = {"displaced": "o", "zigzag": "^", "undecided": "s", "diverged": "x", "interrupted": "+"}
+MARKERS = {
+    "displaced": "o",
+    "zigzag": "^",
+    "undecided": "s",
+    "diverged": "x",
+    "failed": "x",
+    "interrupted": "+",
+}
 GREY = "#777777"
 
 

@@ -28,6 +28,7 @@ CLASSES = {
     "zigzag": (VERMILION, "zigzag"),
     "undecided": (PURPLE, "undecided"),
     "diverged": (BLACK, "diverged"),
+    "failed": (BLACK, "run failed"),
     "interrupted": ("#777777", "interrupted"),
 }
 

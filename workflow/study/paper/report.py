@@ -9,7 +9,7 @@ from PIL import Image
 from study.drawing.pictures import png_with_palette
 from study.paper.report_evidence import set_in_words
 
-CLASSES = ["displaced", "zigzag", "undecided", "diverged", "interrupted"]
+CLASSES = ["displaced", "zigzag", "undecided", "diverged", "failed", "interrupted"]
 IMAGE_WIDTH = 1380  # pixels; twice the width at which the page shows a figure
 SHOWN = ["d_perp_um", "film_um", "crossings", "steps"]
 

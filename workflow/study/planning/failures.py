@@ -5,6 +5,8 @@ import json
 from pathlib import Path
 
 FAILED = "failed"
+#: Statuses of runs without the numbers that they were made for.
+WITHOUT_NUMBERS = ("diverged", FAILED)
 
 
 def status_of(summary):

@@ -74,6 +74,10 @@ def described(rule, wildcards, plan, threads=1):
         name = f"{axis} of {wildcards['bracket']}"
         seconds = plan["seconds"].get(run_id(case, plan["solver_model"]), UNKNOWN)
         return Job("passages of brackets", name, seconds, kind_of(case), wildcards["bracket"])
+    if rule == "spot_run" and wildcards["run"] in runs:
+        case = runs[wildcards["run"]]["case"]
+        seconds = plan["seconds"].get(wildcards["run"], UNKNOWN)
+        return Job("runs made again", point_in_words(case), seconds, kind_of(case))
     if rule == "build":
         return Job("solver", "building the solver", LONGER["build"], OTHER, "", None, threads)
     stage = "figures" if rule.startswith("fig") or rule.startswith("anim") else "tables"

@@ -4,6 +4,7 @@ import math
 from itertools import pairwise, product
 
 from study.planning.points import merged
+from study.planning.failures import WITHOUT_NUMBERS
 
 #: Beyond these a finished run counts as inaccurate: the project's bounds for its own runs, on what every run
 #: reports of itself. Below the film of zero a node was inside a pillar.
@@ -47,7 +48,7 @@ def long_run(tier):
 
 def judge(summary):
     """Status of a run and the quantity that decides it (None if the run works)."""
-    if summary["status"] == "diverged":
+    if summary["status"] in WITHOUT_NUMBERS:
         return "fails", summary.get("failing_quantity")
     for name, bound in INACCURATE.items():
         if not abs(summary[name]) <= bound:
