@@ -1,5 +1,5 @@
-"""Separation distance, flow resistance and Reynolds numbers of every variant of the flow, and their
-limits at vanishing lattice spacing (study.fits.refined_limit says how)."""
+"""Separation distance, flow resistance and Reynolds numbers of every variant of the flow, and their limits at
+vanishing lattice spacing (study.fits.refined_limit says how)."""
 
 from collections import defaultdict
 
