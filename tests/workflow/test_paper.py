@@ -21,7 +21,7 @@ DECLARED = tomllib.loads((PAPER / "numbers.toml").read_text(encoding="utf-8"))
 ALLOWED = [
     r"(?<!\\)%.*",
     r"\\(?:val|whenknown|verdict|cite|ref|eqref|label|input|restable|name|original|bibliography)\{[^{}]*\}",
-    r"\\resultfigure\{[^{}]*\}\{[^{}]*\}",
+    r"\\resultfigure\{[^{}]*\}",
     r"\\(?:begin|end)\{[^{}]*\}|\\(?:vspace|hspace)\{[^{}]*\}|\\emergencystretch=[\d.]+em",
     r"[\^_]\{?\d\}?",  # exponents and indices of one digit
     r"(?<![\d.])2(?=[Rs]\b)",  # twice a symbol: 2R, 2s
@@ -68,7 +68,7 @@ def test_results_written_by_hand_are_found(text):
     [
         r"$B=\val{law/refined/B}$, \cite{huang2004}, Fig.~\ref{fig:fig04}, \original{Fig.~8}, \name{D3Q19}",
         r"\begin{equation} W = \frac{k}{12} I_2^2 \end{equation} % 0.5",
-        r"\resultfigure{0.9\textwidth}{fig04}{Flow}, s/m$^2$",
+        r"\resultfigure{fig04}{Flow}, s/m$^2$",
     ],
 )
 def test_names_keys_and_formulas_are_no_results(text):
@@ -91,7 +91,7 @@ def test_references_are_cited_and_there():
 
 def test_labels_exist():
     labels = set(re.findall(r"\\label\{([^}#]+)\}", TEXT))
-    labels |= {f"fig:{name}" for name in re.findall(r"\\resultfigure\{[^}]*\}\{([^}#]+)\}", TEXT)}
+    labels |= {f"fig:{name}" for name in re.findall(r"\\resultfigure\{([^}#]+)\}", TEXT)}
     assert set(re.findall(r"\\(?:eq)?ref\{([^}#]+)\}", TEXT)) <= labels
 
 

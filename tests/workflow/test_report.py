@@ -5,10 +5,12 @@ import json
 import re
 import shutil
 import subprocess
+import tomllib
 
 import pandas as pd
 import pytest
 from PIL import Image
+from study.report_evidence import EVIDENCE, set_in_words
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 VERDICTS = """id,verdict,grounds,claim,where,paper_value,unit,measured,note,explanation,verdict_corrected,runs
@@ -70,7 +72,7 @@ def test_the_page_stands_alone(page):
     assert [one for one in loaded if not one.startswith(("#", "data:"))] == []
     assert not re.search(r"@import|url\(|fetch\(|XMLHttpRequest|import\(", text)
     assert page.stat().st_size < 10e6
-    assert 'alt="Phase space: cells, the printed boundary' in text
+    assert 'alt="Phase space: the printed boundary' in text
 
 
 def test_the_page_shows_every_passage_and_verdict(page, make):
@@ -196,12 +198,39 @@ def test_every_link_within_the_page_has_its_place(page, tmp_path):
     assert {one.removeprefix("run-") for one in targets if one.startswith("run-")} == runs
     assert {"figure-fig07", "table-passages"} <= targets
     script = """
-    page.querySelector("a.run").click();
+    view.location.hash = page.querySelector("a.run").hash;
+    view.dispatchEvent(new view.Event("hashchange"));
     const text = (place) => page.querySelector(place).textContent;
     return [text("#details dd:last-of-type"), text("a.run")].join(" ");
     """
     shown, wanted = in_frame(page, tmp_path, script, width=1200).split(" ")
     assert shown == wanted
+
+
+def test_every_claim_rests_on_a_figure_and_a_table_of_the_report(root):
+    claims = json.loads((root / "params/claims.json").read_text(encoding="utf-8"))["claims"]
+    assert set(EVIDENCE) == {claim["id"] for claim in claims}
+    captions = tomllib.loads((root / "workflow/templates/figures.toml").read_text(encoding="utf-8"))[
+        "captions"
+    ]
+    shown = (root / "workflow/scripts/report.py").read_text(encoding="utf-8")
+    for figure, table in EVIDENCE.values():
+        assert figure in captions
+        assert f'"{table}": (' in shown
+
+
+def test_runs_that_several_readings_judge_are_named_after_the_first():
+    readings = [
+        {"sweep": "grid", "series": "default", "description": "the first"},
+        {"sweep": "grid", "series": "default", "description": "another view"},
+    ]
+    assert (
+        set_in_words("boundary/default", 0.4, "free", readings)
+        == "Search for the boundary: the first (lattice 0.4 um)"
+    )
+    assert set_in_words("second-start", 0.2, "blocked", readings).endswith(
+        "(lattice 0.2 um, no net lateral flow)"
+    )
 
 
 def test_grades_are_counted_first_and_by_reading(page):

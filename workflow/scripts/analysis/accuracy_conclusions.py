@@ -1,6 +1,6 @@
-"""What the frontiers say, in words: the cheapest setting for a wanted accuracy, what failed, the error
-of the presets, how passages converge with the lattice spacing, whether fast settings change a result,
-and the weight of a membrane update by the run times. All of it comes from the tables."""
+"""What the frontiers say, in words: the cheapest setting for a wanted accuracy, what failed, the error of the
+presets, how passages converge with the lattice spacing, whether fast settings change a result, and the weight
+of a membrane update by the run times. All of it comes from the tables."""
 
 from pathlib import Path
 

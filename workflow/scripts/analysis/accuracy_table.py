@@ -1,10 +1,8 @@
-"""Error and cost of every method and setting, at every point and over all of them, with the Pareto
-frontiers.
+"""Error and cost of every method and setting, at every point and over all of them, with the Pareto frontiers.
 
-Error: largest deviation from the reference, the limit of another scheme. Work units: node updates,
-membrane updates at their weight, and for the models without a lattice their operations over those of a
-node update. Seconds: by the pipeline's benchmark of each run, other runs at its side.
-"""
+Error: largest deviation from the reference, the limit of another scheme. Work units: node updates, membrane
+updates at their weight, and for the models without a lattice their operations over those of a node update.
+Seconds: by the pipeline's benchmark of each run, other runs at its side."""
 
 import numpy as np
 from study.analysis import accuracy

@@ -1,7 +1,7 @@
-"""How sure the critical capillary number is: its bracket with one thing changed at a time, beside the
-bracket of the series that the change is made to, at the row shifts of the target `uncertainty`. The
-undisputed ends reach as far as passages contradict one another. The change is that of their middles (in
-ln Ca); it lies between the least and the most that the two brackets allow."""
+"""How sure the critical capillary number is: its bracket with one thing changed at a time, beside the bracket
+of the series that the change is made to, at the row shifts of the target `uncertainty`. The undisputed ends
+reach as far as passages contradict one another. The change is that of their middles (in ln Ca); it lies
+between the least and the most that the two brackets allow."""
 
 import math
 from pathlib import Path

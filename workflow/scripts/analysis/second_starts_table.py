@@ -1,5 +1,4 @@
-"""Passages from a second place in the gap: how many keep their class, on the grid and at ends of
-brackets."""
+"""Passages from a second place in the gap: how many keep their class, on the grid and at ends of brackets."""
 
 from study.analysis.arguments import required_arguments
 from study.analysis.second_starts import rows_of

@@ -1,6 +1,5 @@
-"""What every choice of the sensitivity study changes: D_perp at the points of Fig. 8, the critical
-capillary number, and s. Choices of which crossing and which instant define D_perp are read from the
-default runs."""
+"""What every choice of the sensitivity study changes: D_perp at the points of Fig. 8, the critical capillary
+number, and s. Choices of which crossing and which instant define D_perp are read from the default runs."""
 
 import math
 

@@ -1,5 +1,4 @@
-"""Fits the separation law 2 s = A epsilon^B to every variant of the flow and to the paper's printed
-table."""
+"""Fits the separation law 2 s = A epsilon^B to every variant of the flow and to the paper's printed table."""
 
 import numpy as np
 from study.analysis.arguments import required_arguments

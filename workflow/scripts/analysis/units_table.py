@@ -1,6 +1,5 @@
-"""What the capillary number means in SI units for a healthy cell, by the definition Ca = p' l r / kS
-with l = sqrt(G H) and with l = H, beside the values that the paper prints; the paper's contradict its
-definition.
+"""What the capillary number means in SI units for a healthy cell, by the definition Ca = p' l r / kS with
+l = sqrt(G H) and with l = H, beside the values that the paper prints; the paper's contradict its definition.
 
 The velocity is p' / resistance with the mean resistance of the variants `paper` and `refined`.
 """

@@ -1,6 +1,6 @@
-"""How sure the boundary is: the bracket of the critical capillary number with one thing changed (blue),
-over that of the series that the change is made to (grey), one panel a row shift; the dashed line is the
-paper's Eq. (5). Arrows are open ends: the boundary lies beyond."""
+"""How sure the boundary is: the bracket of the critical capillary number with one thing changed (blue), over
+that of the series that the change is made to (grey), one panel a row shift; the dashed line is the paper's
+Eq. (5). Arrows are open ends: the boundary lies beyond."""
 
 import numpy as np
 from study.analysis.arguments import figure_arguments

@@ -1,5 +1,4 @@
-"""The generated part of the article: a file of numbers and one file per table, as paper/numbers.toml
-says."""
+"""The generated part of the article: a file of numbers and one file per table, as paper/numbers.toml says."""
 
 import argparse
 import json

@@ -40,6 +40,7 @@ SWEEPS = {
     "full-height-tilted": "Full height, started tilted",
     "inertia": "Inertia: the paper's force",
     "inertia-quarter": "Inertia: a quarter of the paper's force",
+    "row-shift-0.4": "critical row shift at Ca = 0.4",
     "second-start": "Cells of the grid, started in the middle of the gap",
 }
 GRID = "The grid: every row shift with every capillary number"
@@ -48,10 +49,16 @@ SEARCH = "boundary/"
 
 def set_in_words(sweep, dx_um, lateral_flow, readings):
     """What a set of runs is, for somebody who has not read the study: sweep or series, lattice, flow."""
-    found = {name: one["description"] for one in readings for name in (one.get("sweep"), one.get("series"))}
+    found = {}
+    for one in readings:  # several readings may judge the same runs; they are named after the first
+        for name in (one.get("sweep"), one.get("series")):
+            found.setdefault(name, one["description"])
     name = sweep.removeprefix(SEARCH)
     words = found.get(
-        name, SWEEPS.get(name, name.replace("sensitivity/", "one choice changed, ").replace("_", " "))
+        name,
+        SWEEPS.get(
+            name, name.replace("sensitivity/", "one choice changed, ").replace("/", " ").replace("_", " ")
+        ),
     )
     if sweep.startswith(SEARCH):
         words = f"Search for the boundary: {words}"
