@@ -1,5 +1,6 @@
-/// Coverage-guided fuzzing of the reader of case files: libFuzzer calls it with bytes, it has to answer with a case
-/// or with a list of problems. What it accepts has to be echoed to the same case, and its derived numbers computed.
+/// Coverage-guided fuzzing of the reader of case files: libFuzzer calls it with bytes, it has to answer with
+/// a case or with a list of problems. What it accepts has to be echoed to the same case, and its derived
+/// numbers computed.
 #include <cstdlib>
 #include <iostream>
 #include <string>

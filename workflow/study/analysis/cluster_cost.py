@@ -12,7 +12,7 @@ POINTS = 1000
 CORES = (2, 64, 1024)
 #: Runs of a group that share a job, as in workflow/profiles/slurm/config.yaml.
 SHARED = {"runs_of_seconds": 16, "runs_of_a_minute": 4}
-#: Seconds of a job beside the solver: Slurm, Python and Snakemake, measured by workflow/test-cluster.
+#: Seconds of a job beside the solver, assumed: Slurm, and Snakemake that starts twice.
 JOB_SECONDS = 15.0
 #: Preset, sweep of the table of passages, part of the table of stage times that tells its seconds.
 SETTINGS = [
