@@ -10,7 +10,7 @@ import tomllib
 import pandas as pd
 import pytest
 from PIL import Image
-from study.report_evidence import EVIDENCE, set_in_words
+from study.paper.report_evidence import EVIDENCE, set_in_words
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 VERDICTS = """id,verdict,grounds,claim,where,paper_value,unit,measured,note,explanation,verdict_corrected,runs

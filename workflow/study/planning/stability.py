@@ -3,8 +3,8 @@
 import math
 from itertools import pairwise, product
 
-from study.planning.points import merged
 from study.planning.failures import WITHOUT_NUMBERS
+from study.planning.points import merged
 
 #: Beyond these a finished run counts as inaccurate: the project's bounds for its own runs, on what every run
 #: reports of itself. Below the film of zero a node was inside a pillar.
