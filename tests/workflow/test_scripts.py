@@ -295,7 +295,8 @@ def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, call
         output = {"csv": folder / "curves.csv", "output": folder / "fig05.pdf"}
         call("fig05_tweezer", **plan, **given, shapes=shapes["fig05"], **faces, **output)
         call("trajectories", **plan, **runs, output=folder / "fig06.csv")
-        call("fig06_trajectories", **plan, trajectories=folder / "fig06.csv", output=folder / "fig06.pdf")
+        drawn = {"trajectories": folder / "fig06.csv", "claims": root / "params/claims.json"}
+        call("fig06_trajectories", **plan, **drawn, output=folder / "fig06.pdf")
         output = {"csv": folder / "classes.csv", "output": folder / "fig06_classes.pdf"}
         call("fig06_classes", **plan, table=results / "tables/passages.csv", **output)
         tables = {
@@ -310,7 +311,8 @@ def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, call
         shapes = {name: folder / f"fig08_{name}.csv" for name in ("shapes", "outlines", "faces", "numbers")}
         call("gap_sections", **plan, **runs, **shapes)
         separation = results / "tables/streamline_separation.csv"
-        call("fig08_shapes", **plan, **shapes, separation=separation, output=folder / "fig08.pdf")
+        given = {"separation": separation, "claims": root / "params/claims.json"}
+        call("fig08_shapes", **plan, **shapes, **given, output=folder / "fig08.pdf")
         call("animation_outlines", **plan, **runs, output=folder / "animation.csv")
         output = {"name": "zigzag", "output": folder / "animation_zigzag.gif"}
         call("animation", **plan, outlines=folder / "animation.csv", **output)

@@ -282,6 +282,7 @@ rule figure_shapes:
         faces=rules.gap_sections.output.faces,
         numbers=rules.gap_sections.output.numbers,
         separation=rules.streamline_table.output,
+        claims=CLAIMS,
         script=f"{SCRIPTS}/drawing/fig08_shapes.py",
         modules=modules_of(f"{SCRIPTS}/drawing/fig08_shapes.py"),
     output:
@@ -291,7 +292,7 @@ rule figure_shapes:
     shell:
         """
         python {input.script} --plan {input.plan} --shapes {input.shapes} --outlines {input.outlines} \
-            --faces {input.faces} --numbers {input.numbers} --separation {input.separation} \
+            --faces {input.faces} --numbers {input.numbers} --separation {input.separation} --claims {input.claims} \
             --output {output.pdf} 2> {log}
         """
 

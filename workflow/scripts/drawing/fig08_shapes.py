@@ -11,10 +11,12 @@ from study.analysis.arguments import required_arguments
 from study.analysis.surface import draw_cell, draw_from_above, section
 from study.analysis.tables import read_table
 from study.drawing import style
+from study.paper.claims import load_claims
 from study.planning.plan import read_json
 
 RADIUS, PITCH, DEPTH = 10.0, 32.0, 4.8  # um
 LEFT, RIGHT = -8.0, 8.0  # um, where the bars of 2s and of D_perp stand
+PRINTED_AT = 6.8  # um, row shift of the printed extents
 
 
 def bar(axes, x, low, high, text, colour):
@@ -66,7 +68,7 @@ def draw_section(axes, cut, two_s):
     axes.set_axis_off()
 
 
-def draw_cells(figure, grid, cells, shapes, faces, two_s):
+def draw_cells(figure, grid, cells, shapes, faces, two_s, printed):
     """Panels (b) ...: one column for each cell."""
     for column, cell in enumerate(cells, start=1):
         points = shapes[shapes.capillary_number == cell["capillary_number"]]
@@ -81,12 +83,14 @@ def draw_cells(figure, grid, cells, shapes, faces, two_s):
         draw_from_above(above, points, faces)
         across = figure.add_subplot(grid[2, column])
         draw_section(across, cut, two_s)
-        across.set_title(rf"$D_\perp$ = {cell['d_perp_um']:.2f} μm", y=-0.42)
+        print_of = printed.get(cell["capillary_number"])
+        said = "" if print_of is None else f"\nin print {print_of:g} μm"
+        across.set_title(rf"$D_\perp$ = {cell['d_perp_um']:.2f} μm{said}", y=-0.42, va="top")
 
 
 def main():
     arguments = required_arguments(
-        __doc__, "plan", "shapes", "outlines", "faces", "numbers", "separation", "output"
+        __doc__, "plan", "shapes", "outlines", "faces", "numbers", "separation", "claims", "output"
     )
     shapes, lines, numbers, separation = (
         read_table(path)
@@ -97,9 +101,11 @@ def main():
     flow = separation[separation.variant == wanted["flow_variant"]]
     flow = flow[(flow.row_shift_um - wanted["row_shift_um"]).abs() < 1e-6]
     two_s = 2 * float(flow.s_um.iloc[0]) if len(flow) else np.nan
-    cells = numbers.to_dict("records")
+    cells, claim = numbers.to_dict("records"), load_claims(arguments.claims)["d-perp-6.8"]
+    here = abs(wanted["row_shift_um"] - PRINTED_AT) < 1e-6
+    printed = {float(number): extent for number, extent in claim["value"].items()} if here else {}
     columns = max(len(cells), 1)
-    figure = style.new_figure(style.PAGE, 3.7)
+    figure = style.new_figure(style.PAGE, 4.0)
     grid = figure.add_gridspec(
         3, columns + 1, width_ratios=[1.35] + [1] * columns, height_ratios=[0.8, 1.15, 0.5]
     )
@@ -109,7 +115,7 @@ def main():
         cut = section(points, faces, axis=0, value=0.0)
         line = lines[lines.capillary_number == capillary]
         draw_definition(figure.add_subplot(grid[:2, 0]), line, cut, two_s)
-    draw_cells(figure, grid, cells, shapes, faces, two_s)
+    draw_cells(figure, grid, cells, shapes, faces, two_s, printed)
     critical = f"$2s$ = {two_s:.2f} μm" if two_s == two_s else "$2s$ not run at this row shift"
     where = f"$d$ = {wanted['row_shift_um']:.1f} μm, {critical}"
     figure.supxlabel(f"{where}; last row: section along the gap line, walls in black", fontsize=8)

@@ -29,7 +29,7 @@ def joined(table, printed, variants):
     return rows
 
 
-def draw(axes, table, fits, printed, variants):
+def draw(axes, table, fits, printed, variants, equation):
     """Points and power laws on logarithmic axes."""
     curve = np.geomspace(1.8, 9.5, 60)
     shifts = sorted(printed)
@@ -45,6 +45,9 @@ def draw(axes, table, fits, printed, variants):
         lw=0.8,
         label="Table 1, printed",
     )
+    label = rf"Eq. (4): $2s$ = {equation['A_um']:g} μm $\epsilon^{{{equation['B']:g}}}$"
+    look = {"color": style.BLACK, "lw": 1.0, "ls": (0, (5, 2)), "label": label}
+    axes.plot(curve, 0.5 * power_law(curve / PITCH, equation["A_um"], equation["B"]), **look)
     law = fits.set_index(["name", "parameter"]).value
     for number, variant in enumerate(variants):
         rows = table[(table.variant == variant) & (table.status == "converged")]
@@ -55,11 +58,11 @@ def draw(axes, table, fits, printed, variants):
             axes.plot(curve, 0.5 * power_law(curve / PITCH, a, b), color=colour, lw=0.8)
             label += rf": $2s$ = {a:.1f} μm $\epsilon^{{{b:.3f}}}$"
         axes.plot(rows.row_shift_um, rows.s_um, MARKERS[number % 4], color=colour, mfc="none", label=label)
-    axes.set(xscale="log", yscale="log", ylabel="separation distance $s$ / μm")
-    ticks = [1, 1.5, 2, 3, 4]
+    axes.set(xscale="log", yscale="log", ylim=(1, 6), ylabel="separation distance $s$ / μm")
+    ticks = [1, 1.5, 2, 3, 4, 5]
     axes.yaxis.set_ticks(ticks, [f"{tick:g}" for tick in ticks])
     axes.yaxis.set_ticks([], minor=True)
-    axes.legend(loc="upper left")
+    axes.legend(loc="upper left", fontsize=7)
 
 
 def draw_differences(axes, rows, variants):
@@ -84,7 +87,9 @@ def draw_differences(axes, rows, variants):
 def main():
     arguments = figure_arguments(__doc__, "table", "fits", "claims")
     plan, table, fits = read_json(arguments.plan), read_table(arguments.table), read_table(arguments.fits)
-    printed = {float(d): s for d, s in load_claims(arguments.claims)["table-1"]["value"].items()}
+    claims = load_claims(arguments.claims)
+    printed, equation = claims["table-1"]["value"], claims["separation-law"]["value"]
+    printed = {float(d): s for d, s in printed.items()}
     variants = plan["figures"]["law_variants"]
     rows = joined(table, printed, variants)
     columns = ["row_shift_um", "epsilon", "printed_s_um", *(f"{name}_s_um" for name in variants)]
@@ -93,7 +98,7 @@ def main():
     write_table(rows, columns, arguments.csv, ["row_shift_um"], styles)
     figure = style.new_figure(style.COLUMN, 4.4)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[2.2, 1])
-    draw(upper, table, fits, printed, variants)
+    draw(upper, table, fits, printed, variants, equation)
     draw_differences(lower, rows, variants)
     style.save(figure, arguments.output, plan["note"])
 
