@@ -33,7 +33,7 @@ def test_a_wrong_answer_is_noticed(tmp_path):
     (tmp_path / "left").touch()
     row = {"exit": 0, "says": ["place"], "labels": ["undecided"], "no_number_above": 1e15, "absent": ["left"]}
     faults = judged(row, tmp_path, 1, "unexpected failure", {"case.json": b"{}"})
-    assert len(faults) == 5
+    assert len(faults) == 6
     assert len(judged(row, tmp_path, 0, "place", {})) == 3
 
 

@@ -139,7 +139,7 @@ def test_a_job_asks_for_more_after_every_failure():
     assert first[0] > requests.OVERHEAD_MINUTES and first[1] >= requests.OVERHEAD_MIB
     assert (requests.minutes(nothing, case, 3), requests.mebibytes(nothing, case, 3)) == (
         4 * first[0],
-        4 * first[1],
+        2 * first[1],
     )
 
 

@@ -46,9 +46,9 @@ def minutes(dld, case, attempt=1):
 
 
 def mebibytes(dld, case, attempt=1):
-    """Memory that the job of a case asks for, MiB."""
+    """Memory that the job of a case asks for, MiB: twice as much once it failed, and no more than that."""
     _, fields = estimate(dld, case)
-    return 2 ** (attempt - 1) * (OVERHEAD_MIB + math.ceil(2 * fields))
+    return min(attempt, 2) * (OVERHEAD_MIB + math.ceil(2 * fields))
 
 
 def group(dld, case):
