@@ -107,7 +107,7 @@ def test_the_programs_share_runs_and_run_nothing_for_a_finished_bracket(root, st
 
     def call(script, **arguments):
         words = [str(word) for key, value in arguments.items() for word in (f"--{key}", value)]
-        command = [sys.executable, program(script), "--plan", tmp_path / "plan.json"]
+        command = [sys.executable, programs.program(script), "--plan", tmp_path / "plan.json"]
         environment = {"PYTHONPATH": str(root / "workflow"), "PATH": "/usr/bin:/bin"}
         subprocess.run([*command, *words], check=True, env=environment)
 
