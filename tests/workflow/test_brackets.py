@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 
+import programs
 import pytest
 from study.planning import brackets
 
