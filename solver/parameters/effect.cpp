@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "parameters/cell_surface.hpp"
 #include "parameters/declaration.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/text.hpp"
@@ -156,7 +157,10 @@ bool resolved_before(const Json& given, const Case& c) {
     const Json::json_pointer key(d.pointer());
     const ReadBy* line = d.section.empty() ? nullptr : reading("/" + std::string(d.section));
     if (!line || (line->scenes & scene_of(c)) == 0 || !all.contains(key) || given.contains(key)) return true;
-    return d.name == "row_shift_um" && given.contains(Json::json_pointer("/geometry/epsilon"));
+    // What another key stands for: a row shift that follows from epsilon, a radius that follows from the
+    // shape.
+    return (d.name == "row_shift_um" && given.contains(Json::json_pointer("/geometry/epsilon"))) ||
+           (d.pointer() == "/cell/radius_um" && !sized_by_radius(c.cell));
   });
 }
 

@@ -61,6 +61,24 @@ def test_words_about_a_case_are_no_part_of_its_identity():
 
 
 @needs_solver
+def test_a_planned_ellipsoid_has_the_radius_of_its_axes(tmp_path):
+    schema = planning.read_json(planning.SCHEMAS / "case.schema.json")
+    ellipsoid = {"shape": "ellipsoid", "semi_axes_um": [5, 3, 1.5]}
+    path = tmp_path / "case.json"
+    path.write_text(json.dumps(planning.resolved({"scene": "passage", "cell": ellipsoid}, schema)), "utf-8")
+    checked = solver("check", path)
+    assert json.loads(checked.stdout)["case"]["cell"]["radius_um"] == 5
+    assert "warning" not in checked.stderr
+
+
+def test_a_study_says_that_it_has_no_meshes_from_files():
+    schema = planning.read_json(planning.SCHEMAS / "case.schema.json")
+    mesh = {"scene": "passage", "cell": {"shape": "mesh", "mesh_file": "cell.off"}}
+    with pytest.raises(ValueError, match="no meshes from files"):
+        planning.resolved(mesh, schema)
+
+
+@needs_solver
 def test_nothing_is_said_of_the_cases_that_the_planner_writes(tmp_path):
     plan = planning.load_plan(ROOT / "params/studies/krueger2014.json", "smoke")
     path = tmp_path / "case.json"

@@ -85,6 +85,15 @@ def with_preset(case, case_schema):
     return merged(accuracy["x-presets"][case.get("accuracy", accuracy["default"])], case)
 
 
+def _size_by_shape(given, cell):
+    """Leaves r to the solver where the shape has a size of its own; a ValueError for a mesh, whose content no
+    identity of a run covers yet."""
+    if cell["shape"] == "mesh":
+        raise ValueError("/cell/shape: a study has no meshes from files yet; run such a case with `dld run`")
+    if cell["shape"] == "ellipsoid" and "radius_um" not in given:
+        del cell["radius_um"]
+
+
 def resolved(case, case_schema):
     """The case with all defaults, reduced to the sections that its scene reads (an annotation of the schema,
     as the presets are); a ValueError that lists every violation of the schema."""
@@ -92,6 +101,7 @@ def resolved(case, case_schema):
     if found:
         raise ValueError("; ".join(found))
     full = with_defaults(with_preset(case, case_schema), case_schema)
+    _size_by_shape(case.get("cell", {}), full["cell"])
     for section, given, replaced in ALTERNATIVES:
         if given in case.get(section, {}):
             for key in replaced:
