@@ -82,6 +82,11 @@ class Store {
   }
 
   void operator()(std::optional<double>* field) const { *field = checked_number("a number"); }
+  void operator()(std::optional<std::string>* field) const {
+    std::string name;
+    (*this)(&name);
+    if (!name.empty()) *field = name;
+  }
   void operator()(std::optional<PillarValues>* field) const {
     *field = read_pillar(value_, declaration_.pointer(), problems_);
   }
@@ -221,6 +226,8 @@ Case parse_case(const std::string& text, const std::string& name) {
   }
   if (!problems.empty()) throw CaseError(name, problems);
 
+  // The default of the schema is that of the default pitch.
+  if (!root.contains("/cell/start/x_um"_json_pointer)) c.cell.start.x_um = -0.5 * c.geometry.pitch_um;
   if (epsilon) c.geometry.row_shift_um = *epsilon * c.geometry.pitch_across_um();
   problems = inconsistencies(c);
   if (!problems.empty()) throw CaseError(name, problems);

@@ -12,7 +12,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json type_of(const Field& field) {
-  static const Json types = {"number", "integer", "integer", "boolean", "string", "array", "number"};
+  static const Json types = {"number", "integer", "integer", "boolean", "string",
+                             "array",  "number",  "object",  "string"};
   return types.at(field.index());
 }
 
@@ -32,16 +33,17 @@ void add_limits(Json& schema, const Allowed& allowed) {
 
 bool is_optional(const Field& field) {
   return std::holds_alternative<std::optional<double>*>(field) ||
-         std::holds_alternative<std::optional<PillarValues>*>(field);
+         std::holds_alternative<std::optional<PillarValues>*>(field) ||
+         std::holds_alternative<std::optional<std::string>*>(field);
 }
 
 Json value_of(const Field& field) {
   return std::visit(
       []<class T>(T* value) -> Json {
-        if constexpr (std::is_same_v<T, std::optional<double>>) {
-          return value->has_value() ? Json(**value) : Json();
-        } else if constexpr (std::is_same_v<T, std::optional<PillarValues>>) {
+        if constexpr (std::is_same_v<T, std::optional<PillarValues>>) {
           return value->has_value() ? pillar_json(**value) : Json();
+        } else if constexpr (requires { value->has_value(); }) {
+          return value->has_value() ? Json(**value) : Json();
         } else {
           return *value;
         }
