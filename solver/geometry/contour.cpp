@@ -102,7 +102,7 @@ Contour::Contour(const std::vector<Point2>& points, const std::vector<double>& r
       arc.angle = angle;
       arc.start = std::atan2(-tx, ty) - angle;
       arc.mx = std::cos(arc.start + angle / 2), arc.my = std::sin(arc.start + angle / 2);
-      arc.cos_half = std::cos(angle / 2);
+      arc.cos2_half = std::pow(std::cos(angle / 2), 2);
       area_ -= radius * (cut - 0.5 * angle * radius);
     }
     arcs_.push_back(arc);
@@ -131,8 +131,11 @@ double Contour::signed_distance(double x, double y) const {
   for (const Arc& arc : arcs_) {
     if (arc.radius == 0) continue;
     const double dx = x - arc.centre[0], dy = y - arc.centre[1];
-    const double r = std::sqrt(dx * dx + dy * dy), off = r - arc.radius;
-    if (off * off >= nearest || dx * arc.mx + dy * arc.my < r * arc.cos_half) continue;
+    // Few points lie in the sector of an arc: the root is taken for them alone.
+    const double squared = dx * dx + dy * dy, ahead = dx * arc.mx + dy * arc.my;
+    if (ahead < 0 || ahead * ahead < squared * arc.cos2_half) continue;
+    const double off = std::sqrt(squared) - arc.radius;
+    if (off * off >= nearest) continue;
     nearest = off * off;
     inside = off < 0;
   }

@@ -30,7 +30,8 @@ class Contour {
   struct Arc {
     Point2 centre;
     double radius, start, angle;
-    double mx, my, cos_half;  ///< unit vector to its middle, cosine of half the angle
+    double mx, my;     ///< unit vector to its middle
+    double cos2_half;  ///< squared cosine of half the angle, which is below a right angle
   };
   std::vector<Edge> edges_;
   std::vector<Arc> arcs_;  ///< arc i stands at the start of edge i; radius 0 where the corner is sharp
