@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
+
+#include "geometry/text.hpp"
 
 namespace dld {
 namespace {
@@ -23,14 +24,8 @@ double length(const Point2& a) {
   return std::hypot(a[0], a[1]);
 }
 
-std::string text(double value) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.10g", value);
-  return digits;
-}
-
 std::string text(const Point2& p) {
-  return "[" + text(p[0]) + ", " + text(p[1]) + "]";
+  return "[" + number_text(p[0]) + ", " + number_text(p[1]) + "]";
 }
 
 /// Angle by which the direction turns at point i, positive at a corner that points out (rad).
@@ -80,7 +75,7 @@ double largest_corner_radius(const std::vector<Point2>& points) {
   return largest;
 }
 
-Contour::Contour(const std::vector<Point2>& points, double corner_radius) {
+Contour::Contour(const std::vector<Point2>& points, const std::vector<double>& radii) {
   const std::size_t n = points.size();
   area_ = polygon_area(points);
   for (std::size_t i = 0; i < n; ++i) {
@@ -88,8 +83,8 @@ Contour::Contour(const std::vector<Point2>& points, double corner_radius) {
     const Point2 along = difference(points[next], points[i]);
     const double whole = length(along), tx = along[0] / whole, ty = along[1] / whole;
     const double angle = turn(points, i), angle_next = turn(points, next);
-    const double cut = corner_radius * tangent_length(points, i);
-    const double cut_next = corner_radius * tangent_length(points, next);
+    const double radius = radii.at(i), cut = radius * tangent_length(points, i);
+    const double cut_next = radii.at(next) * tangent_length(points, next);
     edges_.push_back({{points[i][0] + cut * tx, points[i][1] + cut * ty},
                       tx,
                       ty,
@@ -102,13 +97,13 @@ Contour::Contour(const std::vector<Point2>& points, double corner_radius) {
     if (cut > 0) {
       const Point2& start =
           edges_.back().start;  // where the arc ends; its centre lies on the left of the edge
-      arc.centre = {start[0] - corner_radius * ty, start[1] + corner_radius * tx};
-      arc.radius = corner_radius;
+      arc.centre = {start[0] - radius * ty, start[1] + radius * tx};
+      arc.radius = radius;
       arc.angle = angle;
       arc.start = std::atan2(-tx, ty) - angle;
       arc.mx = std::cos(arc.start + angle / 2), arc.my = std::sin(arc.start + angle / 2);
-      arc.cos_half = std::cos(angle / 2);
-      area_ -= corner_radius * (cut - 0.5 * angle * corner_radius);
+      arc.cos2_half = std::pow(std::cos(angle / 2), 2);
+      area_ -= radius * (cut - 0.5 * angle * radius);
     }
     arcs_.push_back(arc);
   }
@@ -136,8 +131,11 @@ double Contour::signed_distance(double x, double y) const {
   for (const Arc& arc : arcs_) {
     if (arc.radius == 0) continue;
     const double dx = x - arc.centre[0], dy = y - arc.centre[1];
-    const double r = std::sqrt(dx * dx + dy * dy), off = r - arc.radius;
-    if (off * off >= nearest || dx * arc.mx + dy * arc.my < r * arc.cos_half) continue;
+    // Few points lie in the sector of an arc: the root is taken for them alone.
+    const double squared = dx * dx + dy * dy, ahead = dx * arc.mx + dy * arc.my;
+    if (ahead < 0 || ahead * ahead < squared * arc.cos2_half) continue;
+    const double off = std::sqrt(squared) - arc.radius;
+    if (off * off >= nearest) continue;
     nearest = off * off;
     inside = off < 0;
   }
@@ -196,9 +194,9 @@ std::vector<PillarProblem> polygon_problems(const std::string& name, const std::
 std::vector<PillarProblem> corner_problems(const std::vector<Point2>& points, double corner_radius) {
   const double largest = largest_corner_radius(points);
   if (corner_radius > largest * (1 + 1e-9)) {
-    return {{"corner_radius_um", text(corner_radius),
-             "at most " + text(largest) + ", the largest that fits between two corners",
-             "use at most " + text(std::floor(1e3 * largest) / 1e3)}};
+    return {{"corner_radius_um", number_text(corner_radius),
+             "at most " + number_text(largest) + ", the largest that fits between two corners",
+             "use at most " + number_text(std::floor(1e3 * largest) / 1e3)}};
   }
   // What is cut off a corner lies in a triangle, into which no other part of the outline may reach.
   std::vector<PillarProblem> problems;
@@ -218,7 +216,7 @@ std::vector<PillarProblem> corner_problems(const std::vector<Point2>& points, do
                           cross(difference(before, after), difference(p, after)) > 0;
       if (!within) continue;
       problems.push_back(
-          {"corner_radius_um", text(corner_radius),
+          {"corner_radius_um", number_text(corner_radius),
            "less than what reaches from the corner " + text(points[i]) + " to the corner " + text(p),
            "use a smaller radius"});
     }

@@ -10,8 +10,8 @@ namespace dld {
 class Contour {
  public:
   /// Simple polygon (at least three points, counter-clockwise). A corner that points out is rounded by an arc
-  /// of the given radius inside the polygon; a re-entrant one stays as it is.
-  Contour(const std::vector<Point2>& points, double corner_radius);
+  /// of its radius inside the polygon; a re-entrant one stays as it is. One radius per point.
+  Contour(const std::vector<Point2>& points, const std::vector<double>& radii);
 
   /// Exact distance, negative inside: that to the nearest edge or arc, its sign that of the side.
   double signed_distance(double x, double y) const;
@@ -30,7 +30,8 @@ class Contour {
   struct Arc {
     Point2 centre;
     double radius, start, angle;
-    double mx, my, cos_half;  ///< unit vector to its middle, cosine of half the angle
+    double mx, my;     ///< unit vector to its middle
+    double cos2_half;  ///< squared cosine of half the angle, which is below a right angle
   };
   std::vector<Edge> edges_;
   std::vector<Arc> arcs_;  ///< arc i stands at the start of edge i; radius 0 where the corner is sharp

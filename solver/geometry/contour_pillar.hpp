@@ -4,14 +4,18 @@
 #include <numbers>
 
 #include "geometry/contour.hpp"
+#include "geometry/text.hpp"
 
 namespace dld {
 
 class ContourPillar : public PillarShape {
  public:
-  /// Corners in counter-clockwise order; see Contour for the rounding.
+  /// Corners in counter-clockwise order; see Contour for the rounding, by one radius or by one for each
+  /// corner.
   ContourPillar(const std::vector<Point2>& corners, double corner_radius)
-      : contour_(corners, corner_radius) {}
+      : ContourPillar(corners, std::vector<double>(corners.size(), corner_radius)) {}
+  ContourPillar(const std::vector<Point2>& corners, const std::vector<double>& radii)
+      : contour_(corners, radii) {}
   double signed_distance(double x, double y) const override { return contour_.signed_distance(x, y); }
   double bounding_radius() const override { return contour_.bounding_radius(); }
   double area() const override { return contour_.area(); }
@@ -20,6 +24,20 @@ class ContourPillar : public PillarShape {
  private:
   Contour contour_;
 };
+
+/// A length without default; the texts outlive the program's tables.
+inline PillarParameter length_parameter(const char* name, const char* doc) {
+  return {.name = name, .minimum = 0, .maximum = 1000, .open_minimum = true, .unit = "um", .doc = doc};
+}
+
+/// Adds a problem if the length of that name is not less than `limit`, which is `what`.
+inline void require_less(const PillarValues& values, const char* name, double limit, const std::string& what,
+                         std::vector<PillarProblem>& problems) {
+  if (values.number(name) < limit) return;
+  problems.push_back({name, number_text(values.number(name)),
+                      "less than " + what + " of " + number_text(limit) + " um",
+                      "use e.g. " + number_text(limit / 2)});
+}
 
 inline PillarParameter corner_radius_parameter() {
   return {.name = "corner_radius_um",

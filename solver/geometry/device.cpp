@@ -55,6 +55,24 @@ double Device::narrowest_gap() const {
   return narrowest;
 }
 
+double Device::thinnest_extent() const {
+  const double pitch = pillars_.pitch_y();
+  if (empty()) return pitch;
+  double first = 0, last = 0;
+  for (const Point2& p : pillars_.shape().outline())
+    first = std::min(first, p[0]), last = std::max(last, p[0]);
+  const GapLine gap = gap_line();
+  return std::min(last - first, pitch - (gap.upper - gap.lower));
+}
+
+double Device::room_on_line(double x) const {
+  constexpr int points = 400;
+  double room = 0;
+  for (int k = 0; k < points; ++k)
+    room = std::max(room, pillars_.signed_distance(x, pillars_.pitch_y() * k / points));
+  return room;
+}
+
 GapLine Device::gap_line() const {
   const double pitch = pillars_.pitch_y(), tolerance = 1e-6 * pitch;
   if (empty()) return {0, 0, pitch};

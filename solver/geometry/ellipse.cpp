@@ -31,28 +31,25 @@ Ellipse::Ellipse(double a, double b, double rotation)
     : a_(a), b_(b), cos_(std::cos(rotation)), sin_(std::sin(rotation)) {}
 
 // The nearest point (a^2 x / (t + a^2), b^2 y / (t + b^2)) lies on the ellipse for the largest root t of
-//   F(t) = (a x / (t + a^2))^2 + (b y / (t + b^2))^2 - 1,
-// which falls from infinity to -1 beyond t = -min(a, b)^2 (Eberly, Distance from a point to an ellipse,
-// 2013): bisection holds for every point, those on the axes included. In the first quadrant, with a >= b.
+//   F(t) = (a x / (t + a^2))^2 + (b y / (t + b^2))^2 - 1
+// (Eberly, Distance from a point to an ellipse, 2013). F falls and is convex beyond t = -min(a, b)^2, so that
+// Newton's method from where one term alone is 1 climbs to the root and never beyond it. In the first
+// quadrant, with a >= b.
 double Ellipse::signed_distance(double px, double py) const {
   double x = std::abs(cos_ * px + sin_ * py), y = std::abs(cos_ * py - sin_ * px);
   double a = a_, b = b_;
   if (a < b) std::swap(a, b), std::swap(x, y);
   const double u = x / a, v = y / b, ratio = (a / b) * (a / b);
-  // In s = t / b^2 + 1 >= 0: F = (ratio u / (s + ratio - 1))^2 + (v / s)^2 - 1.
-  const auto excess = [&](double s) {
-    const double p = ratio * u / (s + ratio - 1), q = v / s;
-    return p * p + q * q - 1;
-  };
   double nearest_x = 0, nearest_y = 0;
   if (v > 0) {
-    double low = v, high = std::max(v, std::hypot(ratio * u, v));
-    for (int k = 0; k < 80 && high > low; ++k) {
-      const double middle = 0.5 * (low + high);
-      if (middle == low || middle == high) break;
-      (excess(middle) > 0 ? low : high) = middle;
+    // In s = t / b^2 + 1 > 0: F = (ratio u / (s + ratio - 1))^2 + (v / s)^2 - 1.
+    double s = std::max(v, ratio * u - ratio + 1);
+    for (int k = 0; k < 100; ++k) {
+      const double p = ratio * u / (s + ratio - 1), q = v / s;
+      const double next = s + 0.5 * (p * p + q * q - 1) / (p * p / (s + ratio - 1) + q * q / s);
+      if (!(next > s)) break;
+      s = next;
     }
-    const double s = 0.5 * (low + high);
     nearest_x = ratio * x / (s + ratio - 1), nearest_y = y / s;
   } else if (ratio * u < ratio - 1) {
     // On the long axis, between the centres of curvature of its ends: two points are equally near.

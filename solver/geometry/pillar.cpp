@@ -6,9 +6,12 @@
 
 #include "geometry/circle.hpp"
 #include "geometry/ellipse.hpp"
+#include "geometry/i_shape.hpp"
+#include "geometry/l_shape.hpp"
 #include "geometry/no_pillar.hpp"
 #include "geometry/outline.hpp"
 #include "geometry/polygon.hpp"
+#include "geometry/teardrop.hpp"
 
 namespace dld {
 namespace {
@@ -31,8 +34,9 @@ Entry entry(const char* name) {
 
 const std::vector<Entry>& registry() {
   static const std::vector<Entry> entries{
-      entry<Circle>("circle"),   entry<Ellipse>("ellipse"), entry<Polygon>("polygon"),
-      entry<Outline>("outline"), entry<NoPillar>("none"),
+      entry<Circle>("circle"),     entry<Ellipse>("ellipse"), entry<Polygon>("polygon"),
+      entry<Teardrop>("teardrop"), entry<IShape>("i"),        entry<LShape>("l"),
+      entry<Outline>("outline"),   entry<NoPillar>("none"),
   };
   return entries;
 }

@@ -115,13 +115,14 @@ Eigen::Vector2d PlaneField::velocity(double x, double y) const {
   return distance_ ? wall_fit(x, y) : velocity_bilinear(x, y);
 }
 
-PlaneFlow PlaneField::flow(const GapLine& gap) const {
+PlaneFlow PlaneField::flow(const GapLine& gap, double tilt) const {
   return {[this](double x, double y) { return velocity(x, y); },
           distance_,
           static_cast<double>(nx()),
           static_cast<double>(ny()),
           static_cast<double>(row_shift_),
-          gap};
+          gap,
+          tilt};
 }
 
 }  // namespace dld

@@ -23,6 +23,7 @@ struct PlaneFlow {
   double pitch_y = 0;    ///< ny (lu)
   double row_shift = 0;  ///< d (lu)
   GapLine gap;           ///< where s is measured (lu)
+  double tilt = 0;       ///< of the rows against the driving force (rad)
 };
 
 /// Solid flags on the nodes: non-zero inside a pillar.
@@ -44,7 +45,7 @@ class PlaneField {
   Eigen::Vector2d velocity_bilinear(double x, double y) const;
 
   /// View for the streamline measurements, which are made on the gap line; refers to this object.
-  PlaneFlow flow(const GapLine& gap) const;
+  PlaneFlow flow(const GapLine& gap, double tilt = 0) const;
 
   /// Velocities (lu) and solid flags on the nodes, nx x ny; node (0, 0) stands at (x0, y0).
   const Eigen::ArrayXXd& u() const { return u_; }

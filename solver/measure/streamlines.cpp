@@ -143,8 +143,9 @@ Separation separation_downstream(const PlaneFlow& flow, const StreamlineOptions&
   const GapLine gap{flow.gap.x, wall_on_line(flow, flow.gap.lower, -1),
                     wall_on_line(flow, flow.gap.upper, +1)};
   double below = gap.lower + margin, above = gap.upper - margin;
-  // Without a row shift the wakes and fronts of one lane face each other and divide nothing.
-  if (flow.row_shift == 0 || passes_above(flow, below, options) || !passes_above(flow, above, options)) {
+  // Without a row shift or a tilt the wakes and fronts of one lane face each other and divide nothing.
+  if ((flow.row_shift == 0 && flow.tilt == 0) || passes_above(flow, below, options) ||
+      !passes_above(flow, above, options)) {
     return result;
   }
   while (above - below > options.seed_tolerance) {

@@ -2,6 +2,7 @@
 /// A case: everything one run needs, as the user wrote it (lengths in um, dimensionless numbers as
 /// the field defines them). Defaults stand here once; the reader and the schema take them from here.
 /// Conversion to lattice units is in units.hpp.
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,12 +22,17 @@ struct GeometryParameters {
   std::optional<double> pitch_y_um;     ///< pitch across the flow
   double row_shift_um = 6.0;            ///< d; the case may give epsilon = d / pitch across the flow instead
   bool by_epsilon = false;              ///< it gave epsilon; not a parameter of its own
+  std::optional<std::string> layout;    ///< "row_shifted" (absent) | "rotated_square"
   double depth_um = 4.8;                ///< H, between the bottom and the top wall
   std::string pillar_center = "node";   ///< "node" | "between_nodes" (in x and y)
   std::string surface_nodes = "solid";  ///< a node exactly on the surface is "solid" | "fluid"
   std::string height = "half";          ///< "half" (mirror plane at z = 0) | "full"
 
   double pitch_across_um() const { return pitch_y_um.value_or(pitch_um); }
+  /// An unshifted square array whose rows are tilted by atan(epsilon) against the flow.
+  bool rotated_square() const { return layout == "rotated_square"; }
+  /// Angle between the rows and the driving force (rad).
+  double tilt() const { return rotated_square() ? std::atan(epsilon()) : 0.0; }
   double epsilon() const { return row_shift_um / pitch_across_um(); }
   /// The pillar in either form.
   PillarValues pillar_values() const {
@@ -47,7 +53,7 @@ struct FluidParameters {
 };
 
 struct StartParameters {
-  double x_um = -16.0;            ///< centre, relative to the pillar line of row 0
+  double x_um = -16.0;            ///< centre, relative to the pillar centres of row 0; absent: -pitch_um / 2
   double gap_position_um = -1.0;  ///< centre above the surface of the pillar below; < 0: chosen
   double z_um = 0.0;              ///< offset from the mid plane (full height only)
   double tilt_deg = 0.0;          ///< rotation about y (full height only)

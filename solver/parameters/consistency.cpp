@@ -65,6 +65,35 @@ void check_depth(const Case& c, std::vector<Problem>& problems) {
 }
 
 namespace {
+// Fewer lattice spacings than these between two pillars, or across one, give no flow to measure: at a gap of
+// half a spacing s is 0. Below the others the flow is there and not accurate (limits.cpp).
+constexpr double least_gap = 2, least_pillar = 2;
+
+// Gap and pillar on the lattice.
+void check_resolution(const Case& c, std::vector<Problem>& problems) {
+  const auto& g = c.geometry;
+  const Device device = device_um(c);
+  if (device.empty()) return;
+  const double dx = c.fluid.lattice_spacing_um;
+  const std::string pointer = g.pillar ? "/geometry/pillar" : "/geometry/pillar_radius_um";
+  const std::string value = g.pillar ? g.pillar->shape : number_text(g.pillar_radius_um);
+  const double gap = device.narrowest_gap() / dx, thinnest = device.thinnest_extent() / dx;
+  if (gap < least_gap * (1 - rounding)) {
+    problems.push_back({pointer, value,
+                        "a gap of at least " + number_text(least_gap) +
+                            " lattice spacings between two pillars (it is " + number_text(gap) + ")",
+                        "use at most " + number_text(gap * dx / least_gap) +
+                            " for /fluid/lattice_spacing_um, a smaller pillar or a larger pitch"});
+  }
+  if (thinnest < least_pillar * (1 - rounding)) {
+    problems.push_back(
+        {pointer, value,
+         "a pillar of at least " + number_text(least_pillar) +
+             " lattice spacings along and across the flow (it has " + number_text(thinnest) + ")",
+         "use at most " + number_text(thinnest * dx / least_pillar) +
+             " for /fluid/lattice_spacing_um, a larger pillar, or the shape none for an empty slit"});
+  }
+}
 
 // The pillar by itself; false if there is none to ask further.
 bool check_pillar(const Case& c, std::vector<Problem>& problems) {
@@ -91,14 +120,33 @@ bool check_pillar(const Case& c, std::vector<Problem>& problems) {
   return false;
 }
 
+// Of a square array driven at an angle: any shift over a pitch, which is the tangent of the angle.
+void check_rotated_square(const Case& c, std::vector<Problem>& problems) {
+  const auto& g = c.geometry;
+  if (check_pillar(c, problems)) check_resolution(c, problems);
+  if (g.pitch_across_um() != g.pitch_um) {
+    problems.push_back(
+        {"/geometry/pitch_y_um", number_text(g.pitch_across_um()),
+         "the pitch of " + number_text(g.pitch_um) + " um where /geometry/layout is rotated_square",
+         "remove it, or use row_shifted for /geometry/layout"});
+  }
+  if (g.row_shift_um > g.pitch_um) {
+    problems.push_back({"/geometry/row_shift_um", number_text(g.row_shift_um),
+                        "at most the pitch of " + number_text(g.pitch_um) + " um, a tilt of 45 degrees",
+                        "use " + number_text(g.pitch_um * g.pitch_um / g.row_shift_um) +
+                            ", which is the same array seen along its other rows"});
+  }
+}
+
 void check_array(const Case& c, std::vector<Problem>& problems) {
   const auto& g = c.geometry;
   const double dx = c.fluid.lattice_spacing_um, pitch_y_um = g.pitch_across_um();
   check_multiple(c, "/geometry/pitch_um", g.pitch_um, dx, "the lattice spacing", false, problems);
   if (g.pitch_y_um)
     check_multiple(c, "/geometry/pitch_y_um", pitch_y_um, dx, "the lattice spacing", false, problems);
+  if (g.rotated_square()) return check_rotated_square(c, problems);
   check_row_shift(c, problems);
-  check_pillar(c, problems);
+  if (check_pillar(c, problems)) check_resolution(c, problems);
   if (g.row_shift_um >= pitch_y_um) {
     problems.push_back(
         {"/geometry/row_shift_um", number_text(g.row_shift_um),
@@ -134,13 +182,31 @@ void check_start_height(const Case& c, std::vector<Problem>& problems) {
   }
 }
 
+// Where the solver chooses the height of the start, there must be one to choose.
+void check_room(const Case& c, const Device& device, std::vector<Problem>& problems) {
+  const double x_um = c.cell.start.x_um, room_um = device.room_on_line(x_um);
+  const double tolerance_um = device.pillars().pitch_y() / 400;
+  const auto fits = [&](double x) { return device.room_on_line(x) + tolerance_um >= c.cell.radius_um; };
+  if (fits(x_um)) return;
+  std::string advice =
+      "use a smaller /cell/radius_um, or start deformed cells by hand: there is no such line";
+  for (const double x : {device.start_x(), device.gap_line().x - device.pillars().pitch_x()})
+    if (fits(x)) advice = "use " + number_text(x);
+  problems.push_back(
+      {"/cell/start/x_um", number_text(x_um),
+       "a line on which the undeformed cell fits between the pillars (there is room for a radius of " +
+           number_text(room_um) + " um)",
+       advice});
+}
+
 // The undeformed cell must not cut a pillar where it starts. A circle about its centre is a safe bound.
 void check_start_in_plane(const Case& c, std::vector<Problem>& problems) {
   const auto& start = c.cell.start;
   std::vector<Problem> of_pillar;
-  if (start.gap_position_um < 0 || !check_pillar(c, of_pillar)) return;
+  if (!check_pillar(c, of_pillar)) return;
   const Device device = device_um(c);
   if (device.empty()) return;
+  if (start.gap_position_um < 0) return check_room(c, device, problems);
   const GapLine gap = device.gap_line();
   const double room_um = device.pillars().signed_distance(start.x_um, gap.lower + start.gap_position_um) -
                          in_plane_radius_um(c.cell);
@@ -152,13 +218,17 @@ void check_start_in_plane(const Case& c, std::vector<Problem>& problems) {
                           number_text(device.start_x()) + " for /cell/start/x_um (between two rows)"});
 }
 
-// Rows are counted from the pillar line x = 0, which the centre must have before it.
+// Rows are counted from the gap line of row 0, which the centre must have before it.
 void check_start_row(const Case& c, std::vector<Problem>& problems) {
-  const double x_um = c.cell.start.x_um, dx = c.fluid.lattice_spacing_um;
-  if (x_um <= -dx) return;
+  std::vector<Problem> of_pillar;
+  if (!check_pillar(c, of_pillar)) return;
+  const Device device = device_um(c);
+  const double x_um = c.cell.start.x_um, dx = c.fluid.lattice_spacing_um, line_um = device.gap_line().x;
+  if (x_um <= line_um - dx) return;
   problems.push_back({"/cell/start/x_um", number_text(x_um),
-                      "at most " + number_text(-dx) + ", a lattice spacing before the pillar line x = 0",
-                      "use " + number_text(-c.geometry.pitch_um / 2) + " (between two rows)"});
+                      "at most " + number_text(line_um - dx) +
+                          ", a lattice spacing before the pillar line x = " + number_text(line_um),
+                      "use " + number_text(device.start_x()) + " (between two rows)"});
 }
 
 // Places of populations are counted with 32 bits.

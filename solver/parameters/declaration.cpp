@@ -64,6 +64,10 @@ std::vector<Declaration> geometry_and_fluid() {
        "distance of neighbouring pillar centres along y, across the flow; absent: pitch_um"},
       {"geometry", "row_shift_um", at<&Case::geometry, &G::row_shift_um>, between(0, 5000), "um",
        "d, lateral shift of each row against the one before; or give epsilon"},
+      {"geometry", "layout", at<&Case::geometry, &G::layout>, one_of({"row_shifted", "rotated_square"}), "",
+       "how the pillars stand: rows shifted against each other, or an unshifted square array that is driven "
+       "at "
+       "the angle atan(epsilon) to its rows; absent: row_shifted"},
       {"geometry", "depth_um", at<&Case::geometry, &G::depth_um>, above(0, 1000), "um",
        "H, between the bottom and the top wall"},
       {"geometry", "pillar_center", at<&Case::geometry, &G::pillar_center>, one_of({"node", "between_nodes"}),
@@ -130,7 +134,8 @@ std::vector<Declaration> cell() {
       {"cell", "viscosity_update_interval", at<&Case::cell, &L::viscosity_update_interval>,
        between(1, 100000), "updates", "of the membrane from one inside/outside field to the next"},
       {"cell/start", "x_um", at<&Case::cell, &L::start, &S::x_um>, between(-1e5, 0), "um",
-       "centre along x, relative to the pillar line of row 0, which it has before it"},
+       "centre along x, relative to the pillar centres of row 0, before the line on which the gap is "
+       "narrowest; when it is not given half a pitch before them, -16 for the default pitch"},
       {"cell/start", "gap_position_um", at<&Case::cell, &L::start, &S::gap_position_um>, between(-5000, 5000),
        "um",
        "centre above the surface of the pillar below; a negative value leaves the choice to the solver"},

@@ -14,7 +14,7 @@ namespace dld {
 /// Where a value goes in a Case; its alternative is the parameter's type. What is optional has no default:
 /// the echo leaves it out when it is absent.
 using Field = std::variant<double*, int*, long*, bool*, std::string*, std::vector<double>*,
-                           std::optional<double>*, std::optional<PillarValues>*>;
+                           std::optional<double>*, std::optional<PillarValues>*, std::optional<std::string>*>;
 
 /// Allowed values: an interval for numbers (and for the items of a list), names for texts.
 struct Allowed {

@@ -94,6 +94,11 @@ class Store {
   }
 
   void operator()(std::optional<double>* field) const { *field = checked_number("a number"); }
+  void operator()(std::optional<std::string>* field) const {
+    std::string name;
+    (*this)(&name);
+    if (!name.empty()) *field = name;
+  }
   void operator()(std::optional<PillarValues>* field) const {
     *field = read_pillar(value_, declaration_.pointer(), problems_);
   }
@@ -247,6 +252,8 @@ Reading read_tree(const Json& root, const std::string& folder) {
     c.geometry.row_shift_um = *epsilon * c.geometry.pitch_across_um();
     c.geometry.by_epsilon = true;
   }
+  // The default of the schema is that of the default pitch.
+  if (!root.contains("/cell/start/x_um"_json_pointer)) c.cell.start.x_um = -0.5 * c.geometry.pitch_um;
   problems = inconsistencies(c);
   if (problems.empty()) c.warnings = effect_warnings(root, c);
   return reading;

@@ -18,7 +18,8 @@ constexpr int solver_model = 4;
 using Json = nlohmann::ordered_json;
 
 Json type_of(const Field& field) {
-  static const Json types = {"number", "integer", "integer", "boolean", "string", "array", "number"};
+  static const Json types = {"number", "integer", "integer", "boolean", "string",
+                             "array",  "number",  "object",  "string"};
   return types.at(field.index());
 }
 
@@ -39,10 +40,10 @@ void add_limits(Json& schema, const Allowed& allowed) {
 Json value_of(const Field& field) {
   return std::visit(
       []<class T>(T* value) -> Json {
-        if constexpr (std::is_same_v<T, std::optional<double>>) {
-          return value->has_value() ? Json(**value) : Json();
-        } else if constexpr (std::is_same_v<T, std::optional<PillarValues>>) {
+        if constexpr (std::is_same_v<T, std::optional<PillarValues>>) {
           return value->has_value() ? pillar_json(**value) : Json();
+        } else if constexpr (requires { value->has_value(); }) {
+          return value->has_value() ? Json(**value) : Json();
         } else {
           return *value;
         }

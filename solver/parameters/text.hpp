@@ -1,20 +1,14 @@
 #pragma once
 /// Numbers and names in messages.
 #include <algorithm>
-#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace dld {
+#include "geometry/text.hpp"
 
-/// A number with as few digits as it needs, ten at most.
-inline std::string number_text(double value) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.10g", value);
-  return digits;
-}
+namespace dld {
 
 /// "a, b, c"
 inline std::string joined(const std::vector<std::string>& names) {

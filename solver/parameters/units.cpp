@@ -34,13 +34,22 @@ PillarValues pillar_lu(const Case& c) {
 
 Device device_um(const Case& c) {
   const GeometryParameters& g = c.geometry;
-  return {make_pillar(g.pillar_values()), g.pitch_um, g.pitch_across_um(), g.row_shift_um, g.depth_um};
+  return {make_pillar(g.pillar_values()),
+          g.pitch_um,
+          g.pitch_across_um(),
+          g.rotated_square() ? 0.0 : g.row_shift_um,
+          g.depth_um,
+          g.tilt()};
 }
 
 Device device_lu(const Case& c) {
   const LatticeParameters l = to_lattice(c);
-  return {make_pillar(pillar_lu(c)), static_cast<double>(l.nx), static_cast<double>(l.ny),
-          static_cast<double>(l.row_shift), l.depth};
+  return {make_pillar(pillar_lu(c)),
+          static_cast<double>(l.nx),
+          static_cast<double>(l.ny),
+          static_cast<double>(l.row_shift),
+          l.depth,
+          c.geometry.tilt()};
 }
 
 LatticeParameters to_lattice(const Case& c) {
@@ -51,8 +60,9 @@ LatticeParameters to_lattice(const Case& c) {
   l.ny = whole(c.geometry.pitch_across_um(), dx);
   l.half_height = c.geometry.height == "half";
   l.nz = whole(c.geometry.depth_um, dx) / (l.half_height ? 2 : 1);
-  l.row_shift = whole(c.geometry.row_shift_um, dx);
   const Device device = device_um(c);
+  l.row_shift = whole(device.pillars().row_shift(), dx);
+  l.drive = device.drive();
   l.pillar_radius = spacings(std::max(0.0, device.pillars().shape().bounding_radius()), dx);
   l.gap = spacings(device.gap(), dx);
   l.depth = spacings(c.geometry.depth_um, dx);

@@ -1,5 +1,7 @@
 #pragma once
 /// Conversion of a case to lattice units (dx = dt = rho0 = 1) and to SI.
+#include <array>
+
 #include "geometry/device.hpp"
 #include "parameters/case.hpp"
 
@@ -10,13 +12,14 @@ namespace dld {
 struct LatticeParameters {
   int nx = 0, ny = 0;  ///< nodes of the unit cell along x and y: pitches / dx
   int nz = 0;          ///< layers simulated: depth / dx, or half of it with the mirror
-  int row_shift = 0;   ///< d / dx, a whole number
+  int row_shift = 0;   ///< of the unit cell: d / dx, a whole number; 0 where the rows are tilted
   bool half_height = true;
-  double pillar_radius = 0;   ///< of the circle about the pillar
-  double gap = 0, depth = 0;  ///< G, between a pillar and its neighbour across the lane, and H
-  double length_scale = 0;    ///< l = sqrt(G H)
-  double force_density = 0;   ///< p', along x
-  double viscosity = 0;       ///< nu outside the cell
+  double pillar_radius = 0;               ///< of the circle about the pillar
+  double gap = 0, depth = 0;              ///< G, between a pillar and its neighbour across the lane, and H
+  double length_scale = 0;                ///< l = sqrt(G H)
+  double force_density = 0;               ///< p', along drive
+  std::array<double, 2> drive{1.0, 0.0};  ///< unit vector of the driving force
+  double viscosity = 0;                   ///< nu outside the cell
   double tau_outside = 0, tau_inside = 0;
   double cell_radius = 0;                                      ///< r
   double tension_scale = 0;                                    ///< p' l r, unit of all membrane moduli

@@ -1,6 +1,7 @@
 #include "scene/device_output.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace dld {
 
@@ -15,6 +16,8 @@ void write_device(RunContext& context, const Device& device, double um_per_lu) {
   for (Point2& p : outline) p = {length(p[0]), length(p[1])};
   context.summary["device"] = {{"pitch_x_um", length(pillars.pitch_x())},
                                {"pitch_y_um", length(pillars.pitch_y())},
+                               {"row_shift_um", length(pillars.row_shift())},
+                               {"tilt_deg", device.tilt() * 180 / std::numbers::pi},
                                {"gap_um", length(device.gap())},
                                {"gap_line_x_um", length(gap.x)},
                                {"surface_below_um", length(gap.lower)},

@@ -18,6 +18,7 @@
 #include "measure/cross_section.hpp"
 #include "measure/return_map.hpp"
 #include "parameters/consistency.hpp"
+#include "parameters/text.hpp"
 #include "parameters/work.hpp"
 #include "scene/coupled_state.hpp"
 #include "scene/device_output.hpp"
@@ -46,7 +47,7 @@ class PassageRun {
         lateral_(c.fluid.lateral_flow == "blocked", l_),
         map_(map_options(c)),
         unit_(whole_steps(make_coupling_model(c))) {
-    lattice_.set_uniform_force(l_.force_density, 0.0, 0.0);
+    lattice_.set_uniform_force(l_.force_density * l_.drive[0], l_.force_density * l_.drive[1], 0.0);
     lattice_.set_threads(context.threads);
   }
 
@@ -74,10 +75,16 @@ class PassageRun {
                             case_.stop.max_steps, context_.progress);
     if (steady.status == Status::interrupted) return steady.status;
     flow_steps_ = steady.steps;
-    mean_velocity_ = steady.flow.velocity[0];
+    mean_velocity_ = lateral_.along(steady.flow.velocity);
     if (steady.status == Status::diverged) {
       failure_ = check_fluid(lattice_, steady.flow, l_.um_per_lu);
       return finish(Status::diverged);
+    }
+    if (steady.status != Status::converged) {
+      reason_ = "the flow without the cell is not steady after " + std::to_string(steady.steps) +
+                " steps (/stop/max_steps): it still changes by " + number_text(steady.residual) +
+                " per 100 steps";
+      return finish(Status::undecided);
     }
     const PlaneField field =
         mid_plane(lattice_, [this](double x, double y) { return device_.pillars().signed_distance(x, y); });
@@ -123,7 +130,7 @@ class PassageRun {
         if (failure_) return Status::diverged;
       }
       if (lateral_.blocked() && steps_ % LateralFlow::interval == 0) {
-        lateral_.update(lattice_, lattice_.statistics().velocity[1]);
+        lateral_.update(lattice_, lattice_.statistics().velocity);
       }
       if (steps_ % unit_ != 0) continue;
       const bool stop = interrupted() != 0;
@@ -330,6 +337,7 @@ class PassageRun {
     s["fold_modulus_N_m"] = fold_modulus_N_m(case_);
     s["lateral_flow"] = case_.fluid.lateral_flow;
     s["class"] = to_string(status);
+    if (!reason_.empty()) s["reason"] = reason_;
     const int defining = map_.defining_crossing();
     const bool known = defining >= 0 && static_cast<std::size_t>(defining) < record_.crossings.size();
     const auto value = [&](const char* column) -> nlohmann::ordered_json {
@@ -394,6 +402,7 @@ class PassageRun {
   PassageExtent extent_{gap_.x};
   std::optional<Checkpoint> saved_;  ///< what the run goes on from; empty once it does
   std::optional<Failure> failure_;
+  std::string reason_;          ///< why the run ended before a cell was in it
   MembraneSnapshot last_good_;  ///< shape at the last sample that passed all checks
   Eigen::Vector3d last_recorded_ = Eigen::Vector3d::Zero();
   double mean_velocity_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
 /// The cell-free flow: run to the steady state, its mid plane, and the control of the lateral flow.
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -14,28 +15,34 @@
 
 namespace dld {
 
-/// Free: only the driving force along x. Blocked: a lateral force that brings the mean u_y to zero, as the
-/// side walls of a device do. Integral control, tuned to be critically damped for the friction 12 nu/H^2 of a
-/// slit.
+/// Free: only the driving force. Blocked: a force across it that brings the mean velocity across it to zero,
+/// as the side walls of a device do. Integral control, tuned to be critically damped for the friction 12
+/// nu/H^2 of a slit.
 class LateralFlow {
  public:
   static constexpr int interval = 20;  ///< steps between updates
 
-  LateralFlow(bool blocked, const LatticeParameters& l) : blocked_(blocked) {
+  LateralFlow(bool blocked, const LatticeParameters& l) : drive_(l.drive), blocked_(blocked) {
     const double friction = 1.5 * 12.0 * l.viscosity / (l.depth * l.depth);
     gain_ = 0.25 * interval * friction * friction;
   }
   bool blocked() const { return blocked_; }
 
-  /// To be called every `interval` steps with the mean lateral velocity of the fluid.
+  /// Components of a vector along the driving force and across it, to its left.
+  double along(const std::array<double, 3>& v) const { return drive_[0] * v[0] + drive_[1] * v[1]; }
+  double across(const std::array<double, 3>& v) const { return drive_[0] * v[1] - drive_[1] * v[0]; }
+
+  /// To be called every `interval` steps with the mean velocity of the fluid.
   template <class Real>
-  void update(Lattice<Real>& lattice, double mean_lateral_velocity) const {
+  void update(Lattice<Real>& lattice, const std::array<double, 3>& mean_velocity) const {
     if (!blocked_) return;
-    auto f = lattice.uniform_force();
-    lattice.set_uniform_force(f[0], f[1] - gain_ * mean_lateral_velocity, f[2]);
+    const auto f = lattice.uniform_force();
+    const double v = across(mean_velocity);
+    lattice.set_uniform_force(f[0] + gain_ * (v * drive_[1]), f[1] - gain_ * (v * drive_[0]), f[2]);
   }
 
  private:
+  std::array<double, 2> drive_;
   bool blocked_;
   double gain_ = 0.0;
 };
@@ -77,17 +84,18 @@ SteadyState run_to_steady_state(Lattice<Real>& lattice, const LateralFlow& later
     const bool check = state.steps % check_interval == 0;
     if (!check && !lateral.blocked()) continue;
     state.flow = lattice.statistics();
-    lateral.update(lattice, state.flow.velocity[1]);
+    lateral.update(lattice, state.flow.velocity);
     if (!check) continue;
     // Interpolated walls do not conserve mass exactly: hold the mean density.
     lattice.shift_density(-state.flow.mean_density_deviation);
-    const double now = state.flow.velocity[0];
+    const double now = lateral.along(state.flow.velocity);
     if (check_fluid(lattice, state.flow, 1.0)) {
       state.status = Status::diverged;
       break;
     }
     state.residual = std::abs(now - previous) / std::max(std::abs(now), 1e-300);
-    const bool level = !lateral.blocked() || std::abs(state.flow.velocity[1]) < 10.0 * goal * std::abs(now);
+    const bool level =
+        !lateral.blocked() || std::abs(lateral.across(state.flow.velocity)) < 10.0 * goal * std::abs(now);
     quiet = state.residual < goal && level ? quiet + 1 : 0;
     previous = now;
     if (quiet == 2) {

@@ -2,6 +2,7 @@
 ///
 ///   -grad p + eta laplace u + f e_x = 0,  div u = 0   (Stokes; with inertia if the case says so)
 ///   u = 0 on the pillars and at z = +- H/2,  u(x + lambda, y) = u(x, y - d)
+///   in a rotated square array d = 0 and the force is turned by -atan(epsilon) from the rows, the x axis
 ///
 /// 1 run to the steady state   2 flow resistance and mean velocities   3 separation streamlines, s
 ///
@@ -20,16 +21,16 @@
 namespace dld {
 namespace {
 
-void summarise_flow(const Case& c, const SteadyState& steady, double porosity,
+void summarise_flow(const Case& c, const SteadyState& steady, const LateralFlow& lateral, double porosity,
                     nlohmann::ordered_json& summary) {
   const LatticeParameters l = to_lattice(c);
   const SiScales si = to_si(c);
-  const double u = steady.flow.velocity[0];
+  const double u = lateral.along(steady.flow.velocity);
   const double slit = l.force_density * l.depth * l.depth / (12.0 * l.viscosity);
   const auto reynolds = [&](double velocity) { return velocity * l.length_scale / l.viscosity; };
   summary["mean_velocity"] = u;
   summary["superficial_velocity"] = u * porosity;
-  summary["lateral_velocity_ratio"] = steady.flow.velocity[1] / u;
+  summary["lateral_velocity_ratio"] = lateral.across(steady.flow.velocity) / u;
   summary["resistance_Pa_s_per_m2"] = l.force_density / u * si.resistance_Pa_s_per_m2_per_lu;
   summary["reynolds_number"] = reynolds(u);
   summary["reynolds_number_superficial"] = reynolds(u * porosity);
@@ -54,10 +55,11 @@ Status run(const Case& c, RunContext& context) {
   const UnitCell cell = make_unit_cell(c, device);
   Lattice<Real> lattice(cell, make_fluid_model(c));
   lattice.set_threads(context.threads);
-  lattice.set_uniform_force(l.force_density, 0.0, 0.0);
+  lattice.set_uniform_force(l.force_density * l.drive[0], l.force_density * l.drive[1], 0.0);
 
-  const SteadyState steady = run_to_steady_state(lattice, LateralFlow(c.fluid.lateral_flow == "blocked", l),
-                                                 c.stop.steady_tolerance, c.stop.max_steps, context.progress);
+  const LateralFlow lateral(c.fluid.lateral_flow == "blocked", l);
+  const SteadyState steady =
+      run_to_steady_state(lattice, lateral, c.stop.steady_tolerance, c.stop.max_steps, context.progress);
   if (steady.status == Status::interrupted) return steady.status;
   nlohmann::ordered_json& summary = context.summary;
   summary["row_shift_um"] = c.geometry.row_shift_um;
@@ -68,10 +70,10 @@ Status run(const Case& c, RunContext& context) {
   summary["node_updates"] = steady.steps * static_cast<long>(lattice.fluid_nodes());
   summary["membrane_updates"] = 0;
   summary["memory_bytes"] = lattice.memory_bytes();
-  summary["lateral_force_ratio"] = lattice.uniform_force()[1] / l.force_density;
+  summary["lateral_force_ratio"] = lateral.across(lattice.uniform_force()) / l.force_density;
   const double porosity =
       static_cast<double>(lattice.fluid_nodes()) / (static_cast<double>(l.nx) * l.ny * l.nz);
-  summarise_flow(c, steady, porosity, summary);
+  summarise_flow(c, steady, lateral, porosity, summary);
   if (steady.status == Status::diverged) {
     if (const auto failure = check_fluid(lattice, steady.flow, l.um_per_lu))
       report_failure(*failure, steady.steps, summary);
@@ -81,8 +83,8 @@ Status run(const Case& c, RunContext& context) {
   const PlaneField field =
       mid_plane(lattice, [&pillars](double x, double y) { return pillars.signed_distance(x, y); });
   if (c.output.flow_field) write_plane_flow(context, field, l.um_per_lu);
-  if (pillars.empty() || l.row_shift == 0) return steady.status;
-  const PlaneFlow flow = field.flow(device.gap_line());
+  if (pillars.empty() || c.geometry.row_shift_um == 0) return steady.status;
+  const PlaneFlow flow = field.flow(device.gap_line(), device.tilt());
   const Separation downstream = separation_downstream(flow), upstream = separation_upstream(flow);
   write_separatrix(context, "downstream", downstream, l.um_per_lu,
                    "streamline that ends in the front stagnation point of the next pillar downstream");

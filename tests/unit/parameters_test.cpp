@@ -176,6 +176,52 @@ TEST(Reader, PitchAcrossTheFlowGivesGapAndEpsilon) {
   EXPECT_DOUBLE_EQ(l.gap, 20);
 }
 
+TEST(Reader, StartsHalfAPitchBeforeThePillarsUnlessToldOtherwise) {
+  const auto start = [](const std::string& rest) {
+    return parse_case(
+               R"({"scene": "passage", "geometry": {"pitch_um": 20, "pillar_radius_um": 5, "row_shift_um": 4})" +
+                   rest + "}",
+               "case.json")
+        .cell.start.x_um;
+  };
+  EXPECT_EQ(start(""), -10);
+  EXPECT_EQ(start(R"(, "cell": {"start": {"x_um": -9}})"), -9);
+  EXPECT_EQ(case_schema()["properties"]["cell"]["properties"]["start"]["properties"]["x_um"]["default"], -16);
+}
+
+TEST(Reader, RefusesWhatTheLatticeDoesNotResolve) {
+  for (const char* name : {"gap_of_half_a_node", "pillar_smaller_than_a_node", "slit_thin_pillar"}) {
+    const auto problems = problems_of_file(data_folder / "inconsistent" / (std::string(name) + ".json"));
+    ASSERT_EQ(problems.size(), 1u) << name;
+    EXPECT_NE(problems[0].advice.find("/fluid/lattice_spacing_um"), std::string::npos) << problems[0].advice;
+  }
+}
+
+TEST(Margins, WarnOfAGapOfFewNodes) {
+  Case c;
+  const auto gap_margin = [&] {
+    const auto margins = stability_margins(c);
+    return *std::ranges::find_if(margins, [](const Margin& m) { return m.name == "gap / dx"; });
+  };
+  EXPECT_TRUE(gap_margin().ok);
+  c.fluid.lattice_spacing_um = 1.6;
+  EXPECT_FALSE(gap_margin().ok);
+  EXPECT_FALSE(gap_margin().fails);
+}
+
+TEST(Reader, ARotatedSquareArrayIsUnshiftedAndDrivenAtAnAngle) {
+  const Case c = parse_case(
+      R"({"scene": "streamlines", "geometry": {"layout": "rotated_square", "epsilon": 0.13}})", "case.json");
+  const LatticeParameters l = to_lattice(c);
+  EXPECT_EQ(l.row_shift, 0);
+  EXPECT_NEAR(l.drive[1] / l.drive[0], -0.13, 1e-15);
+  EXPECT_NEAR(std::hypot(l.drive[0], l.drive[1]), 1, 1e-15);
+  EXPECT_EQ(pointers(problems_of_file(data_folder / "inconsistent" / "rotated_array_not_square.json")),
+            (std::set<std::string>{"/geometry/pitch_y_um", "/geometry/row_shift_um"}));
+  // Without a layout nothing is turned, to the last bit.
+  EXPECT_EQ(to_lattice(Case{}).drive, (std::array<double, 2>{1.0, 0.0}));
+}
+
 TEST(Echo, ReadsBackAsTheSameCase) {
   for (const auto& path : files("good")) {
     const auto resolved = echo(read_case(path));
@@ -188,7 +234,7 @@ TEST(Echo, HoldsEveryParameter) {
   given.cell.semi_axes_um = {4, 3, 1.5};
   given.cell.mesh_file = "cell.off";
   const auto tree = echo(given);
-  const std::set<std::string> optional{"/geometry/pillar", "/geometry/pitch_y_um"};
+  const std::set<std::string> optional{"/geometry/pillar", "/geometry/pitch_y_um", "/geometry/layout"};
   for (const auto& declaration : declarations()) {
     EXPECT_NE(tree.contains(nlohmann::json::json_pointer(declaration.pointer())),
               optional.contains(declaration.pointer()))
@@ -232,7 +278,8 @@ TEST(Schema, StatesRangesNamesAndDefaults) {
     shapes.push_back(alternative["properties"]["shape"]["const"]);
   EXPECT_EQ(shapes, pillar_shape_names());
   // What is absent keeps the identity of runs that were made before it was there.
-  for (const char* name : {"pillar", "pitch_y_um"}) EXPECT_FALSE(geometry[name].contains("default")) << name;
+  for (const char* name : {"pillar", "pitch_y_um", "layout"})
+    EXPECT_FALSE(geometry[name].contains("default")) << name;
   EXPECT_EQ(schema["properties"]["cell"]["properties"]["mesh_frequency"]["type"], "integer");
   EXPECT_EQ(schema["properties"]["stretching"]["properties"]["forces_pN"]["items"]["minimum"], 0);
   EXPECT_EQ(schema["required"], std::vector<std::string>{"scene"});

@@ -31,9 +31,10 @@ struct Example {
   PillarValues values;
 };
 
+const std::vector<double> ell_corners{-6, -6, 8, -6, 8, -2, -2, -2, -2, 9, -6, 9};
+
 /// One of each kind, rounded and sharp, turned and not, convex and not.
 std::vector<Example> examples() {
-  const std::vector<double> ell{-6, -6, 8, -6, 8, -2, -2, -2, -2, 9, -6, 9};
   return {
       {"circle", values_of("circle", {{"radius_um", {10}}})},
       {"ellipse", values_of("ellipse", {{"semi_axes_um", {12, 5}}})},
@@ -49,8 +50,16 @@ std::vector<Example> examples() {
            "polygon",
            {{"sides", {4}}, {"circumradius_um", {10}}, {"rotation_deg", {45}}, {"corner_radius_um", {2}}})},
       {"hexagon", values_of("polygon", {{"sides", {6}}, {"circumradius_um", {8}}, {"rotation_deg", {13}}})},
-      {"outline", values_of("outline", {{"points_um", ell}})},
-      {"rounded outline", values_of("outline", {{"points_um", ell}, {"corner_radius_um", {1}}})},
+      {"teardrop", values_of("teardrop", {{"length_um", {18}}, {"width_um", {8}}, {"rotation_deg", {-20}}})},
+      {"rounded I", values_of("i", {{"width_um", {14}},
+                                    {"height_um", {18}},
+                                    {"web_um", {4}},
+                                    {"flange_um", {3}},
+                                    {"corner_radius_um", {1}},
+                                    {"rotation_deg", {10}}})},
+      {"L", values_of("l", {{"width_um", {14}}, {"height_um", {18}}, {"stem_um", {5}}, {"foot_um", {4}}})},
+      {"outline", values_of("outline", {{"points_um", ell_corners}})},
+      {"rounded outline", values_of("outline", {{"points_um", ell_corners}, {"corner_radius_um", {1}}})},
   };
 }
 
@@ -152,6 +161,35 @@ TEST(Shapes, AnalyticAreas) {
               75 * std::sqrt(3.0) - 3 * r * r * (std::sqrt(3.0) - pi / 3), 1e-12);
 }
 
+TEST(Shapes, TeardropIsACircleWithItsTangentsToTheTail) {
+  const double length = 18, nose = 4, tail = length - nose, angle = std::asin(nose / tail);
+  const auto drop = make_pillar(values_of("teardrop", {{"length_um", {length}}, {"width_um", {2 * nose}}}));
+  EXPECT_NEAR(drop->area(), nose * std::sqrt(tail * tail - nose * nose) + nose * nose * (pi / 2 + angle),
+              1e-10);
+  const double centre = nose - length / 2;
+  for (double t = pi / 2; t < 3 * pi / 2; t += 0.1) {
+    const double x = centre + 7 * std::cos(t), y = 7 * std::sin(t);
+    EXPECT_NEAR(drop->signed_distance(x, y), 3, 1e-9) << t;
+  }
+  EXPECT_NEAR(drop->signed_distance(length / 2 + 2, 0), 2, 1e-9);
+  EXPECT_NEAR(drop->signed_distance(centre, 0), -nose, 1e-9);
+}
+
+TEST(Shapes, AreasOfBars) {
+  EXPECT_NEAR(make_pillar(values_of("i", {{"width_um", {14}},
+                                          {"height_um", {18}},
+                                          {"web_um", {4}},
+                                          {"flange_um", {3}},
+                                          {"rotation_deg", {33}}}))
+                  ->area(),
+              2 * 14 * 3 + 4 * 12, 1e-10);
+  EXPECT_NEAR(
+      make_pillar(
+          values_of("l", {{"width_um", {14}}, {"height_um", {18}}, {"stem_um", {5}}, {"foot_um", {4}}}))
+          ->area(),
+      5 * 18 + 9 * 4, 1e-10);
+}
+
 /// A point-symmetric corner case: on the axes of an ellipse, inside and outside, the distance is known.
 TEST(Shapes, EllipseOnItsAxes) {
   const Ellipse ellipse(12, 5, 0);
@@ -200,11 +238,19 @@ TEST(Device, GapAndGapLineOfShapesAgreeWithGeometry) {
   // Pitches along and across: only the one across counts.
   EXPECT_NEAR(device_of(values_of("ellipse", {{"semi_axes_um", {12, 5}}}), 24).gap(), 14, 1e-9);
   // An ell: a stretch of the widest part, whose middle is taken.
-  const GapLine ell = device_of(examples()[8].values).gap_line();
-  EXPECT_NEAR(ell.x, -4, 0.05);
-  EXPECT_NEAR(ell.lower, 9, 1e-9);
-  EXPECT_NEAR(ell.upper, 26, 1e-9);
-  EXPECT_NEAR(ell.pillar_middle(32), 1.5, 1e-9);
+  const GapLine line = device_of(values_of("outline", {{"points_um", ell_corners}})).gap_line();
+  EXPECT_NEAR(line.x, -4, 0.05);
+  EXPECT_NEAR(line.lower, 9, 1e-9);
+  EXPECT_NEAR(line.upper, 26, 1e-9);
+  EXPECT_NEAR(line.pillar_middle(32), 1.5, 1e-9);
+}
+
+TEST(Device, RoomOnALine) {
+  const Device device(std::make_shared<const Circle>(10), 32, 32, 0, 4.8);
+  EXPECT_NEAR(device.room_on_line(0), 6, 1e-9);
+  EXPECT_NEAR(device.room_on_line(-16), 16 * std::sqrt(2.0) - 10, 1e-9);
+  EXPECT_NEAR(device.thinnest_extent(), 20, 0.01);
+  EXPECT_NEAR(device_of(values_of("ellipse", {{"semi_axes_um", {10, 0.3}}})).thinnest_extent(), 0.6, 1e-6);
 }
 
 /// Two copies of a tilted ellipse are nearest beside the line of their centres: brute force over the surface.
