@@ -13,7 +13,7 @@ from ezdxf import units
 from study.validation import violations
 
 ROOT = Path(__file__).resolve().parents[2]
-SCRIPT = ROOT / "workflow/scripts/outline_from_cad.py"
+SCRIPT = ROOT / "workflow/scripts/planning/outline_from_cad.py"
 CORNERS = [(0, 0), (12, 0), (12, 4), (4, 4), (4, 10), (0, 10)]
 CENTRED = [[x - 6, y - 5] for x, y in CORNERS]
 

@@ -11,7 +11,7 @@ LOOKS = {
     "below": (style.BLUE, "-", "ends at the next pillar"),
     "above": (style.ORANGE, "--", "left the last one"),
 }
-WIDTH = 2.3  # of one panel, inches
+WIDTH = 2.2  # of one panel, inches
 
 
 def draw_pillars(axes, outline, facts, shift):

@@ -9,7 +9,7 @@ from study.planning.plan import read_json
 
 MARKS = {"displaced": "o", "zigzag": "s"}
 OTHER = "D"  # undecided, diverged, interrupted
-COLUMNS, WIDTH, HEIGHT = 3, 2.3, 2.5  # panels in a row, size of one in inches
+COLUMNS, WIDTH, HEIGHT = 3, 2.2, 2.5  # panels in a row, size of one in inches
 
 
 def draw_cells(axes, cells):
