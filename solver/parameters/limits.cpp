@@ -84,17 +84,6 @@ Margin above(const std::string& name, double value, double limit, const std::str
 
 const std::string softer = "reduce /fluid/force_density (at fixed Ca all moduli fall with it)";
 
-// The moduli (lu) that the scene simulates: the coupled tweezer has a shear modulus of its own.
-LatticeParameters simulated(const Case& c) {
-  LatticeParameters l = to_lattice(c);
-  if (c.scene != "stretching") return l;
-  l.shear_modulus = coupled_stretching_shear_modulus;
-  l.bending_modulus = c.cell.bending_ratio * l.shear_modulus * l.cell_radius * l.cell_radius;
-  l.local_area_modulus = c.cell.local_area_modulus * l.shear_modulus;
-  l.volume_modulus = c.cell.volume_modulus * l.shear_modulus / l.cell_radius;
-  return l;
-}
-
 // True moduli of the Skalak law at small strain: shear G = 4 kS/k, area K = G + 2 kalpha/3.
 void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>& margins) {
   const double shear = 4 * l.shear_modulus / c.cell.skalak_denominator;
@@ -118,7 +107,7 @@ void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Mar
                           softer + ", /cell/local_area_modulus or /cell/capillary_number"));
   if (l.kink_mobility > 0) {
     margins.push_back(below("stiffness K + G times what the corrected kernel gives back, per update",
-                            steps * l.kink_mobility * kink_symbol * (area + shear), kink_limit, "1",
+                            steps * l.kink_mobility * kink_symbol * (area + shear), kink_limit, "",
                             softer + " or /coupling/steps_per_update"));
   }
   if (c.scene == "passage") {
@@ -141,7 +130,7 @@ void contact_margins(const Case& c, std::vector<Margin>& margins) {
   margins.push_back(above("pillar repulsion times Ca", c.coupling.pillar_repulsion * ca / (range * range),
                           least_repulsion, "p' l h0^2", "raise /coupling/pillar_repulsion"));
   if (c.coupling.wall_repulsion > 0) return;
-  margins.push_back(below("Ca without repulsion from the walls", ca, wall_contact_capillary, "1",
+  margins.push_back(below("Ca without repulsion from the walls", ca, wall_contact_capillary, "",
                           "set /coupling/wall_repulsion: so soft a cell may touch the walls", false));
 }
 
@@ -152,19 +141,19 @@ void flow_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>
   const std::string slower = "reduce /fluid/force_density";
   margins.push_back(below("largest speed 2 f H^2 / (12 nu)", speed, speed_limit, "lu", slower));
   margins.push_back(below("largest speed, for accuracy", speed, accurate_speed_limit, "lu", slower, false));
-  margins.push_back(below("density variation 3 f lambda", density, density_limit, "1", slower));
+  margins.push_back(below("density variation 3 f lambda", density, density_limit, "", slower));
   margins.push_back(
-      below("density variation, for accuracy", density, accurate_density_limit, "1", slower, false));
+      below("density variation, for accuracy", density, accurate_density_limit, "", slower, false));
   if (c.scene == "passage" && c.fluid.equilibrium == "full") {
-    margins.push_back(below("Reynolds number", 0.5 * speed * l.length_scale / l.viscosity, inertia_limit, "1",
+    margins.push_back(below("Reynolds number", 0.5 * speed * l.length_scale / l.viscosity, inertia_limit, "",
                             slower + ", or raise /fluid/relaxation_time"));
   }
   if (c.scene == "passage" && c.fluid.collision == "bgk") {
     margins.push_back(above("relaxation time - 1/2, BGK", c.fluid.relaxation_time - 0.5, bgk_relaxation_limit,
-                            "1", "raise /fluid/relaxation_time, or use trt"));
+                            "", "raise /fluid/relaxation_time, or use trt"));
   }
   margins.push_back(below("row shift / pitch", c.geometry.row_shift_um / c.geometry.pitch_um, row_shift_limit,
-                          "1", "mirror the array: a shift d is a shift pitch - d to the other side", false));
+                          "", "mirror the array: a shift d is a shift pitch - d to the other side", false));
 }
 
 }  // namespace
@@ -172,7 +161,7 @@ void flow_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>
 std::vector<Margin> stability_margins(const Case& c) {
   const bool passage = c.scene == "passage";
   const bool coupled_stretching = c.scene == "stretching" && c.stretching.method == "coupled";
-  const LatticeParameters l = simulated(c);
+  const LatticeParameters l = scene_lattice(c);
   std::vector<Margin> margins;
   if (passage || coupled_stretching) membrane_margins(c, l, margins);
   if (passage) contact_margins(c, margins);

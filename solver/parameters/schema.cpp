@@ -30,7 +30,8 @@ void add_limits(Json& schema, const Allowed& allowed) {
 }
 
 Json property(const Declaration& declaration, Case& defaults) {
-  const std::string unit = declaration.unit.empty() ? "" : " [" + std::string(declaration.unit) + "]";
+  const bool none = declaration.unit.empty() || declaration.unit == "1";  // nothing that people need to read
+  const std::string unit = none ? "" : " [" + std::string(declaration.unit) + "]";
   Json schema = {{"description", std::string(declaration.doc) + unit}};
   if (!declaration.field) {
     schema["type"] = "number";

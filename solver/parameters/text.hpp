@@ -1,6 +1,7 @@
 #pragma once
 /// Numbers and names in messages.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 #include <string>
@@ -12,6 +13,17 @@ namespace dld {
 inline std::string number_text(double value) {
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.10g", value);
+  return digits;
+}
+
+/// Three significant digits, for people: 0.0123, 45.7, 12300, 1.23e-06.
+inline std::string short_number(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3g", value);
+  if (const double size = std::abs(value); size >= 999.5 && size < 1e7) {
+    const double unit = std::pow(10.0, std::floor(std::log10(size)) - 2);
+    std::snprintf(digits, sizeof digits, "%.0f", std::round(value / unit) * unit);
+  }
   return digits;
 }
 

@@ -23,6 +23,7 @@
 #include "scene/monitor.hpp"
 #include "scene/passage_record.hpp"
 #include "scene/passage_start.hpp"
+#include "scene/pillar_output.hpp"
 #include "scene/registry.hpp"
 #include "scene/setup.hpp"
 #include "scene/steady_flow.hpp"
@@ -39,7 +40,7 @@ class PassageRun {
         l_(to_lattice(c)),
         pillars_(make_pillar_array(c)),
         lattice_(make_unit_cell(c, pillars_), make_fluid_model(c)),
-        membrane_(make_cell(c.cell.shape, c.cell.mesh_frequency, l_.cell_radius), make_moduli(c)),
+        membrane_(make_cell(c.cell.shape, c.cell.mesh_frequency, l_.cell_radius), make_moduli(c, l_)),
         lateral_(c.fluid.lateral_flow == "blocked", l_),
         map_(map_options(c)),
         pillar_top_(surface_above_centre(pillars_)) {
@@ -63,6 +64,7 @@ class PassageRun {
         mid_plane(lattice_, [this](double x, double y) { return pillars_.signed_distance(x, y); });
     cell_.emplace(lattice_, membrane_, pillars_, make_coupling_model(case_),
                   start_positions(case_, membrane_.reference().vertices, pillars_, field));
+    if (!pillars_.empty() && l_.row_shift != 0) write_separation(context_, field, l_.um_per_lu);
     // Whole updates of the cell, and an even number of steps: populations in place, nothing half done.
     const int unit = 2 * case_.coupling.steps_per_update;
     const double interval = std::min(0.2 / mean_velocity_, static_cast<double>(longest_interval));
@@ -275,12 +277,27 @@ class PassageRun {
 
   Status finish(Status status) {
     if (failure_ && last_good_.vertices.size() > 0) record_.keep(last_good_);
+    if (!failure_) record_.keep({"final", row_, steps_, cell_->positions()});
     summarise(status);
-    context_.xdmf.mesh = record_.write(context_.out, membrane_.reference(), l_.um_per_lu);
+    const PhysicalScales scales = physical_scales(case_);
+    context_.xdmf.series = record_.write(context_.out, membrane_, pillars_, scales);
+    write_surroundings();
     if (case_.output.flow_field && lattice_.even()) {
-      write_plane_flow(context_, mid_plane(lattice_, {}), l_.um_per_lu);
+      Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+      if (cell_) centre = cell_->centre().head(2).transpose();
+      write_plane_flow(context_, mid_plane(lattice_, {}), scales,
+                       centre.allFinite() ? centre : Eigen::Vector2d::Zero());
     }
     return status;
+  }
+
+  /// The pillars that the cell has passed.
+  void write_surroundings() {
+    std::vector<double> x = record_.trajectory.column("x_um"), y = record_.trajectory.column("y_um");
+    for (auto* way : {&x, &y}) {
+      for (double& place : *way) place /= l_.um_per_lu;
+    }
+    write_pillars(context_, pillars_, pillars_along(pillars_, x, y), 0.5 * l_.depth, l_.um_per_lu);
   }
 
   void summarise(Status status) const {

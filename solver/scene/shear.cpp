@@ -29,10 +29,9 @@ UnitCell shear_box(int n) {
 
 template <class Real>
 Status run(const Case& c, RunContext& context) {
-  const LatticeParameters l = to_lattice(c);
-  const double a = l.cell_radius;
-  const double rate = c.shear.reynolds_number * l.viscosity / (a * a);  // gdot
-  const int n = static_cast<int>(std::lround(c.shear.box_um / l.um_per_lu));
+  const LatticeParameters l = scene_lattice(c);
+  const double a = l.cell_radius, rate = l.shear_rate;
+  const int n = l.nx;
   const double wall_speed = 0.5 * rate * n;
 
   FluidModel fluid = make_fluid_model(c);
@@ -44,14 +43,7 @@ Status run(const Case& c, RunContext& context) {
     return std::array<double, 3>{rate * (z + box.origin_z), 0.0, 0.0};
   });
 
-  MembraneModuli moduli;
-  moduli.shear = l.viscosity * rate * a / c.shear.capillary_number;
-  moduli.skalak_denominator = c.cell.skalak_denominator;
-  moduli.local_area = c.cell.local_area_modulus * moduli.shear;
-  moduli.global_area = c.cell.global_area_modulus * moduli.shear;
-  moduli.bending = c.cell.bending_ratio * moduli.shear * a * a;
-  moduli.bending_law = bending_law_by_name(c.cell.bending_law);
-  if (c.cell.volume_control == "penalty") moduli.volume = c.cell.volume_modulus * moduli.shear / a;
+  const MembraneModuli moduli = make_moduli(c, l);
   Membrane membrane(make_cell(c.cell.shape, c.cell.mesh_frequency, a), moduli);
   const PillarArray no_pillars(make_pillar("none", {}), n, n, 0.0);
   CouplingModel coupling = make_coupling_model(c);
@@ -59,8 +51,8 @@ Status run(const Case& c, RunContext& context) {
   CoupledCell<Real> cell(lattice, membrane, no_pillars, coupling, membrane.reference().vertices);
 
   ColumnTable series({{"time", "1/gdot", "time times shear rate", {}},
-                      {"deformation", "1", "(L - B)/(L + B) of the equivalent ellipsoid", {}},
-                      {"volume_change", "1", "(V - V0)/V0", {}}});
+                      {"deformation", "none", "(L - B)/(L + B) of the equivalent ellipsoid", {}},
+                      {"volume_change", "none", "(V - V0)/V0", {}}});
   const long steps = std::lround(c.shear.duration / rate);
   const long interval = std::max(2L, steps / 200 / 2 * 2);
   double deformation = 0.0;
@@ -99,7 +91,11 @@ Status run(const Case& c, RunContext& context) {
   context.summary["steps"] = done;
   context.summary["node_updates"] = done * static_cast<long>(lattice.fluid_nodes());
   context.summary["membrane_updates"] = done * membrane.vertex_count();
-  if (series.size() > 0) series.write(context.out, "/shear");
+  if (series.size() > 0) {
+    const PhysicalScales scales = physical_scales(c);
+    series.write(context.out, "/shear", scales);
+    context.out.physical("/shear/time", "s", scales.time_step_s / rate);
+  }
   return status;
 }
 
