@@ -10,7 +10,7 @@ import h5py
 import numpy as np
 import pytest
 from short_passage import DLD, PASSAGE, needs_solver
-from study.points import merged
+from study.planning.points import merged
 
 pytestmark = needs_solver
 
