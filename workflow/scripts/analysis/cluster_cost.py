@@ -5,7 +5,7 @@ from pathlib import Path
 
 from study.analysis.cluster_cost import cost_table
 from study.analysis.tables import read_table
-from study.readme import with_blocks
+from study.paper.results_page import with_blocks
 
 parser = argparse.ArgumentParser(description=__doc__)
 for name in ("--passages", "--stages", "--page"):
