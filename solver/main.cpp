@@ -1,10 +1,10 @@
 /// Command line of the solver.
 ///
 ///   dld run case.json out.h5 --summary summary.json    simulate; the same command resumes after Ctrl-C
-///   dld check case.json                                 resolved case, derived numbers, stability margins
-///   dld resolve cases.json out.json                     the same in short for many cases, for programs that
-///   plan dld verify out.h5 summary.json                    are the files of a finished run as they were
-///   written? dld schema                                          JSON Schema of case files
+///   dld check case.json                    what it simulates, costs, is limited by (--json: every number)
+///   dld resolve cases.json out.json        the same in short for many cases, for programs that plan
+///   dld verify out.h5 summary.json         are the files of a finished run as they were written?
+///   dld schema                             JSON Schema of case files
 ///
 /// Exit codes: 0 done, 2 bad parameters, 3 diverged, 4 input/output, 5 checkpoint of another case or build,
 /// 128 + signal when interrupted: 130 Ctrl-C, 143 SIGTERM, 142 end of --wall-time.
@@ -21,8 +21,11 @@
 #include "output/memory_limit.hpp"
 #include "output/provenance.hpp"
 #include "output/verify.hpp"
+#include "output/xdmf.hpp"
+#include "parameters/check_text.hpp"
 #include "parameters/headline.hpp"
 #include "parameters/limits.hpp"
+#include "parameters/physical.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/report.hpp"
@@ -65,8 +68,8 @@ bool may_run(const Case& c, const std::string& file, bool force) {
   for (const auto& margin : margins) {
     if (margin.ok) continue;
     std::cerr << file << ": " << (margin.fails ? "expected to diverge" : "expected to be inaccurate") << ": "
-              << margin.name << " = " << margin.value << " " << margin.unit << ", the limit is "
-              << margin.limit << "; " << margin.advice << "\n";
+              << margin.name << " = " << quantity_text(margin.value, margin.unit) << ", the limit is "
+              << quantity_text(margin.limit, margin.unit) << "; " << margin.advice << "\n";
   }
   const bool hold = !expected_to_diverge(margins);
   if (!hold && !force) std::cerr << file << ": refused because it is expected to diverge; see --force\n";
@@ -75,11 +78,15 @@ bool may_run(const Case& c, const std::string& file, bool force) {
 
 // What became of a diverged run, for the user's eyes.
 void explain_divergence(const Json& summary, const Hdf5File& out, bool state_kept) {
+  const auto number = [&](const char* key) {
+    const auto value = summary.find(key);
+    return value != summary.end() && value->is_number() ? quantity_text(value->get<double>(), "")
+                                                        : "not a number";
+  };
   std::cerr << "diverged at step " << summary.value("failing_step", 0L) << ": "
-            << summary.value("failing_quantity", "") << " = " << summary.value("failing_value", Json())
-            << " (limit " << summary.value("failing_limit", Json()) << ") at "
-            << summary.value("failing_place", "") << "\n  likely cure: " << summary.value("advice", "")
-            << "\n";
+            << summary.value("failing_quantity", "") << " = " << number("failing_value") << " (limit "
+            << number("failing_limit") << ") at " << summary.value("failing_place", "")
+            << "\n  likely cure: " << summary.value("advice", "") << "\n";
   const std::string output = out.path().string();
   if (summary.contains("last_good_step"))
     std::cerr << "  last good shape: /membrane/last_good in " << output << "\n";
@@ -93,6 +100,7 @@ void write_root_attributes(Hdf5File& out, const Case& c, const Json& summary, in
   out.attribute("/", "provenance", provenance(threads).dump());
   out.attribute("/", "case", echo(c).dump());
   out.attribute("/", "lattice", lattice_numbers(c).dump());
+  out.attribute("/", "physical", physical_json(physical_scales(c)).dump());
   out.attribute("/", "summary", summary.dump());
 }
 
@@ -104,8 +112,8 @@ NamedFiles files_of(const RunOptions& options) {
   NamedFiles files = {{"case", options.case_file},
                       {"output", output},
                       {"checkpoint", output.string() + ".checkpoint"},
-                      {"state of a diverged run", output.string() + ".last_good.checkpoint"},
-                      {"XDMF file", std::filesystem::path(output).replace_extension(".xdmf")}};
+                      {"state of a diverged run", output.string() + ".last_good.checkpoint"}};
+  for (const auto& path : xdmf_files(output)) files.emplace_back("XDMF file", path);
   if (!options.summary_file.empty()) files.emplace_back("summary", options.summary_file);
   return files;
 }
@@ -195,16 +203,19 @@ int run(const RunOptions& options) {
 
   Json summary = {{"scene", c.scene}, {"status", to_string(status)}};
   summary.update(context.summary);
+  if (const Json physical = physical_summary(summary, physical_scales(c)); !physical.empty())
+    summary["si"].update(physical);
   if (!c.warnings.empty()) summary["warnings"] = c.warnings;
   const auto margins = stability_margins(c);
   if (const Margin* margin = tightest(margins)) {
     summary["tightest_margin"] = margin->name;
     summary["used_share_of_margin"] = margin->share;
   }
-  if (context.xdmf.flow) write_flow_points(out, *context.xdmf.flow);
   write_root_attributes(out, c, summary, options.threads);
   out.close_sealed();
-  write_xdmf(out.path(), context.xdmf);
+  if (!write_xdmf(out.path(), context.xdmf))
+    std::cerr << "no XDMF file: its readers end a file's name at a colon, as " << out.path().filename()
+              << " has one\n";
   write_summary(options.summary_file, summary);
   if (status != Status::diverged) {
     if (context.owns_checkpoint) Checkpoint::remove(context.checkpoint);
@@ -228,18 +239,10 @@ int verify(const std::string& run_file, const std::string& summary_file, const s
   return problems.empty() ? done : input_output;
 }
 
-int check(const std::string& case_file, bool force) {
+int check(const std::string& case_file, bool force, bool json) {
   const Case c = read_case(case_file);
+  std::cout << (json ? check_json(c).dump(2) + "\n" : check_text(c)) << std::flush;
   print_warnings(c, case_file);
-  const Json report = {{"case", echo(c)},
-                       {"accuracy", accuracy_json(c)},
-                       {"lattice", lattice_numbers(c)},
-                       {"dimensionless", dimensionless_numbers(c)},
-                       {"si", si_numbers(c)},
-                       {"memory_MiB", memory_MiB(c)},
-                       {"expected_cost", expected_cost(c)},
-                       {"margins", margins_json(stability_margins(c))}};
-  std::cout << report.dump(2) << "\n";
   std::cerr << lack_of_memory(c, case_file);
   return may_run(c, case_file, force) ? done : bad_parameters;
 }
@@ -293,9 +296,12 @@ int command_line(int argc, char** argv) {
                    "command goes on")
       ->check(CLI::Range(0.001, 1e6));
   std::string case_file;
-  CLI::App* check_command = app.add_subcommand("check", "print the resolved case and its derived numbers");
+  CLI::App* check_command =
+      app.add_subcommand("check", "say what a case simulates, what it costs and what limits it");
   check_command->add_option("case", case_file, "case file (JSON)")->required();
   bool force_check = false;
+  bool json_check = false;
+  check_command->add_flag("--json", json_check, "print all numbers, as JSON");
   check_command->add_flag("--force", force_check, "succeed although the case is expected to diverge");
   CLI::App* resolve_command =
       app.add_subcommand("resolve", "what many cases resolve to, what is wrong with them, what they cost");
@@ -323,7 +329,7 @@ int command_line(int argc, char** argv) {
     return bad_parameters;
   }
   if (verify_command->parsed()) return verify(run_file, summary_file, resolved_file);
-  if (check_command->parsed()) return check(case_file, force_check);
+  if (check_command->parsed()) return check(case_file, force_check, json_check);
   if (schema_command->parsed()) std::cout << case_schema().dump(2) << "\n";
   return done;
 }

@@ -23,8 +23,8 @@ struct PillarParameter {
   std::optional<double> fallback = {};  ///< value when it is not given; none: it has to be given
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
-  bool open_minimum = false;    ///< the minimum itself is not allowed
-  std::string_view unit = "1";  ///< "um": a length, "degrees", "1"
+  bool open_minimum = false;   ///< the minimum itself is not allowed
+  std::string_view unit = {};  ///< "um": a length, "degrees"; empty for a number without one
   std::string_view doc = {};
 };
 

@@ -12,7 +12,6 @@ class Polygon final : public ContourPillar {
              .kind = PillarParameter::Kind::whole,
              .minimum = 3,
              .maximum = 60,
-             .unit = "1",
              .doc = "number of sides"},
             {.name = "circumradius_um",
              .minimum = 0,

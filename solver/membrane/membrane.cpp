@@ -146,6 +146,23 @@ MembraneEnergy Membrane::energy_terms(const Eigen::MatrixX3d& x) const {
   return energy;
 }
 
+FaceFields Membrane::face_fields(const Eigen::MatrixX3d& x) const {
+  const MembraneModuli& moduli = reference_.moduli;
+  const SkalakModuli skalak{moduli.shear / moduli.skalak_denominator, moduli.local_area / 12};
+  const double tension = penalty_derivative(moduli.global_area, measure(x).area, reference_.area);
+  FaceFields fields{Eigen::ArrayXd(face_count()), Eigen::ArrayXd(face_count()), Eigen::ArrayXd(face_count())};
+  for (Eigen::Index f = 0; f < face_count(); ++f) {
+    const FaceCorners face(x, reference_.mesh.faces, f);
+    const auto metric = reference_.metric.row(f);
+    const ReferenceTriangle ref{metric(0), metric(1), metric(2), metric(3)};
+    fields.area_strain(f) = face_area(face.normal) / ref.area - 1;
+    const FaceTensions tensions = skalak_tensions(ref, skalak, tension, face.a, face.b);
+    fields.mean_tension(f) = tensions.mean;
+    fields.shear_tension(f) = tensions.shear;
+  }
+  return fields;
+}
+
 MembraneState Membrane::measure(const Eigen::MatrixX3d& x) const {
   MembraneState state;
   state.volume = volume(x);

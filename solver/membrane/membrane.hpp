@@ -20,6 +20,13 @@ struct MembraneState {
   double max_local_area_strain = 0;  ///< largest |A_face / A0_face - 1|
 };
 
+/// Strain and tension of every face (nf).
+struct FaceFields {
+  Eigen::ArrayXd area_strain;    ///< A_face / A0_face - 1
+  Eigen::ArrayXd mean_tension;   ///< (t1 + t2) / 2, force / length
+  Eigen::ArrayXd shear_tension;  ///< |t1 - t2| / 2, force / length
+};
+
 /// Energy of a configuration, term by term.
 struct MembraneEnergy {
   double skalak = 0, bending = 0, area = 0, volume = 0;
@@ -51,6 +58,10 @@ class Membrane {
 
   /// Area, volume and local area strain at positions x.
   MembraneState measure(const Eigen::MatrixX3d& x) const;
+
+  /// Strain and in-plane tension of each face at positions x; the tension is that of Skalak's law and of the
+  /// penalty on the whole area, without bending.
+  FaceFields face_fields(const Eigen::MatrixX3d& x) const;
 
   const TriangleMesh& reference() const { return reference_.mesh; }
   const std::vector<Edge>& edges() const { return reference_.edges; }

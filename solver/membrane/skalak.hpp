@@ -62,4 +62,23 @@ inline TriangleForces skalak_forces(const ReferenceTriangle& ref, const SkalakMo
   return {c11 * a + c12 * b, c12 * a + c22 * b};
 }
 
+/// Tensions of a face, force per deformed length: mean (t1 + t2) / 2 and shear |t1 - t2| / 2 of the two
+/// principal ones.
+struct FaceTensions {
+  double mean, shear;
+};
+
+/// Cauchy tension T = (2 / J) F (dW/dC) F^T with J = A / A0, whose principal values are
+///   t = (2 / J) (W1 c + W2 J^2),  W1 = dW/dI1,  W2 = dW/dI2,  c the eigenvalues of C,
+/// plus an isotropic `tension`.
+inline FaceTensions skalak_tensions(const ReferenceTriangle& ref, const SkalakModuli& m, double tension,
+                                    Vec3 a, Vec3 b) {
+  const auto [i1, i2] = strain_invariants(ref, dot(a, a), dot(a, b), dot(b, b));
+  const double trace = i1 + 2, det = i2 + 1, stretch = std::sqrt(det);
+  const double w1 = m.shear * (2 * i1 + 2), w2 = -2 * m.shear + 2 * m.dilatation * i2;
+  const double discriminant = trace * trace - 4 * det;  // (c1 - c2)^2, not below zero but for rounding
+  return {(w1 * trace + 2 * w2 * det) / stretch + tension,
+          w1 * std::sqrt(discriminant > 0 ? discriminant : 0) / stretch};
+}
+
 }  // namespace dld

@@ -165,6 +165,12 @@ void Hdf5File::attribute(const std::string& object, const std::string& name, con
   write_attribute(file_, object, name, type, &text);
 }
 
+void Hdf5File::physical(const std::string& dataset, const std::string& unit, double factor) {
+  if (!(factor > 0)) return;
+  attribute(dataset, "physical_unit", unit);
+  attribute(dataset, "physical_per_unit", factor);
+}
+
 void Hdf5File::attribute(const std::string& object, const std::string& name, double value) {
   ensure_object(file_, object);
   write_attribute(file_, object, name, H5T_NATIVE_DOUBLE, &value);

@@ -27,8 +27,8 @@ class Hdf5File {
   Hdf5File& operator=(const Hdf5File&) = delete;
 
   /// Writes a row-major array of double, float, int32_t, int64_t or uint8_t. Groups on the way to `name`
-  /// ("/flow/velocity") are made on demand. `unit` is "1" for a dimensionless number, "lu" for lattice
-  /// units. Arrays above 64 KiB are compressed.
+  /// ("/flow/velocity") are made on demand. `unit` is "none" for numbers without one, "lu" for
+  /// lattice units. Arrays above 64 KiB are compressed.
   template <class T>
   void write(const std::string& name, std::span<const T> values, const Shape& shape, const std::string& unit,
              const std::string& description);
@@ -67,6 +67,10 @@ class Hdf5File {
   void attribute(const std::string& object, const std::string& name, int value) {
     attribute(object, name, static_cast<std::int64_t>(value));
   }
+
+  /// Says what values in lattice units are in others: value * factor is in `unit`, kept as the attributes
+  /// physical_unit and physical_per_unit. Without a scale (factor 0) there is nothing to say.
+  void physical(const std::string& dataset, const std::string& unit, double factor);
 
   /// Compression costs more than it saves for files that live for minutes (checkpoints).
   void set_compression(bool on) { compress_ = on; }

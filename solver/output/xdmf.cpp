@@ -1,21 +1,38 @@
 #include "output/xdmf.hpp"
 
+#include <algorithm>
 #include <cstdio>
-#include <span>
 #include <sstream>
 
-#include "output/hdf5_file.hpp"
+#include "output/durable_file.hpp"
 
 namespace dld {
 namespace {
 
-std::string item(const std::string& dimensions, const std::string& number, const std::string& dataset) {
-  return "<DataItem Dimensions=\"" + dimensions + "\" " + number + " Format=\"HDF\">" + dataset +
-         "</DataItem>\n";
-}
+// Names of fixed grids, which are names of files too.
+const std::vector<std::string> fixed_grids = {"flow", "pillars"};
 
-std::string real(int bytes) {
-  return "NumberType=\"Float\" Precision=\"" + std::to_string(bytes) + "\"";
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
 }
 
 std::string number_text(double value) {
@@ -24,71 +41,120 @@ std::string number_text(double value) {
   return text;
 }
 
-void write_mesh(std::ostream& out, const std::string& file, const XdmfMesh& mesh) {
-  const std::string faces = std::to_string(mesh.n_faces) + " 3";
-  const std::string vertices = std::to_string(mesh.n_vertices) + " 3";
-  out << "<Grid Name=\"" << mesh.name << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-  for (const auto& snapshot : mesh.snapshots) {
-    out << "<Grid Name=\"" << mesh.name << "\">\n<Time Value=\"" << number_text(snapshot.time) << "\"/>\n"
-        << "<Topology TopologyType=\"Triangle\" NumberOfElements=\"" << mesh.n_faces << "\">\n"
-        << item(faces, "NumberType=\"Int\" Precision=\"4\"", file + mesh.faces)
-        << "</Topology>\n<Geometry GeometryType=\"XYZ\">\n"
-        << item(vertices, real(8), file + snapshot.vertices) << "</Geometry>\n</Grid>\n";
+/// Elements of one file, whose data stand in one HDF5 file.
+class Writer {
+ public:
+  explicit Writer(const std::filesystem::path& hdf5_path) : file_(escaped(hdf5_path.filename().string())) {
+    out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n";
   }
-  out << "</Grid>\n";
+
+  void grid(const XdmfGrid& g, const std::string& time = "") {
+    out_ << "<Grid Name=\"" << escaped(g.name) << "\" GridType=\"Uniform\">\n" << time;
+    out_ << "<Topology TopologyType=\"" << (g.corners == 3 ? "Triangle" : "Quadrilateral")
+         << "\" NumberOfElements=\"" << g.n_cells << "\">\n";
+    item({g.n_cells, static_cast<std::size_t>(g.corners)}, "NumberType=\"Int\" Precision=\"4\"", g.cells);
+    out_ << "</Topology>\n<Geometry GeometryType=\"XYZ\">\n";
+    item({g.n_points, 3}, float64, g.points);
+    out_ << "</Geometry>\n";
+    for (const XdmfField& f : g.fields) field(f, g);
+    out_ << "</Grid>\n";
+  }
+
+  void begin(const std::string& name, const char* type) {
+    out_ << "<Grid Name=\"" << name << "\" GridType=\"Collection\" CollectionType=\"" << type << "\">\n";
+  }
+  void end() { out_ << "</Grid>\n"; }
+
+  std::string text() const { return out_.str() + "</Domain>\n</Xdmf>\n"; }
+
+ private:
+  static constexpr const char* float64 = "NumberType=\"Float\" Precision=\"8\"";
+
+  static const char* number_type(XdmfField::Number number) {
+    switch (number) {
+      case XdmfField::Number::float32:
+        return "NumberType=\"Float\" Precision=\"4\"";
+      case XdmfField::Number::uint8:
+        return "NumberType=\"UChar\" Precision=\"1\"";
+      default:
+        return float64;
+    }
+  }
+
+  void field(const XdmfField& f, const XdmfGrid& g) {
+    const bool node = f.centre == XdmfField::Centre::node, vector = f.components == 3;
+    out_ << "<Attribute Name=\"" << escaped(f.name) << "\" AttributeType=\"" << (vector ? "Vector" : "Scalar")
+         << "\" Center=\"" << (node ? "Node" : "Cell") << "\">\n";
+    std::vector<std::size_t> shape = {node ? g.n_points : g.n_cells};
+    if (vector) shape.push_back(3);
+    item(shape, number_type(f.number), f.dataset);
+    out_ << "</Attribute>\n";
+  }
+
+  void item(const std::vector<std::size_t>& shape, const char* number, const std::string& dataset) {
+    out_ << "<DataItem Dimensions=\"";
+    for (std::size_t k = 0; k < shape.size(); ++k) out_ << (k ? " " : "") << shape[k];
+    out_ << "\" " << number << " Format=\"HDF\">" << file_ << ":" << escaped(dataset) << "</DataItem>\n";
+  }
+
+  std::string file_;
+  std::ostringstream out_;
+};
+
+std::filesystem::path beside(const std::filesystem::path& hdf5_path, const std::string& extension) {
+  return std::filesystem::path(hdf5_path).replace_extension(extension);
 }
 
-// One component of the 2-vectors of /flow/velocity.
-std::string velocity_component(const std::string& file, const XdmfFlow& flow, int component) {
-  const std::string n = std::to_string(flow.nx) + " " + std::to_string(flow.ny);
-  return "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" + n + " 1\">\n" +
-         "<DataItem Dimensions=\"3 3\" NumberType=\"Int\" Format=\"XML\">0 0 " + std::to_string(component) +
-         " 1 1 1 " + n + " 1</DataItem>\n" +
-         item(n + " 2", real(flow.velocity_bytes), file + "/flow/velocity") + "</DataItem>\n";
+void write_whole(const std::filesystem::path& path, const std::string& text) {
+  const std::filesystem::path part = path.string() + ".part";
+  write_durably(part, text);
+  rename_durably(part, path);
 }
 
-void write_flow(std::ostream& out, const std::string& file, const XdmfFlow& flow) {
-  const std::string n = std::to_string(flow.nx) + " " + std::to_string(flow.ny);
-  out << "<Grid Name=\"mid plane\">\n<Topology TopologyType=\"2DSMesh\" Dimensions=\"" << n << "\"/>\n"
-      << "<Geometry GeometryType=\"XYZ\">\n"
-      << item(n + " 3", real(8), file + "/flow/points_um") << "</Geometry>\n";
-  // ParaView takes vectors of three components only.
-  out << "<Attribute Name=\"velocity\" AttributeType=\"Vector\" Center=\"Node\">\n"
-      << "<DataItem ItemType=\"Function\" Function=\"JOIN($0, $1, 0 * $0)\" Dimensions=\"" << n << " 3\">\n"
-      << velocity_component(file, flow, 0) << velocity_component(file, flow, 1)
-      << "</DataItem>\n</Attribute>\n"
-      << "<Attribute Name=\"solid\" AttributeType=\"Scalar\" Center=\"Node\">\n"
-      << item(n, "NumberType=\"UChar\" Precision=\"1\"", file + "/flow/solid") << "</Attribute>\n</Grid>\n";
+/// meshio takes the last collection of a file as the series and a grid outside of collections as its mesh:
+/// so the fixed grids stand in a collection of their own before the series.
+std::string everything(const std::filesystem::path& hdf5_path, const XdmfDescription& description) {
+  Writer out(hdf5_path);
+  if (!description.fixed.empty()) {
+    out.begin("surroundings", "Spatial");
+    for (const XdmfGrid& grid : description.fixed) out.grid(grid);
+    out.end();
+  }
+  if (!description.series.empty()) {
+    out.begin("membrane", "Temporal");
+    const XdmfShape* last = nullptr;
+    for (const XdmfShape& shape : description.series) {
+      if (last && shape.time <= last->time) continue;
+      out.grid(shape.grid, "<Time Value=\"" + number_text(shape.time) + "\"/>\n");
+      last = &shape;
+    }
+    out.end();
+  }
+  return out.text();
 }
 
 }  // namespace
 
-void write_flow_points(Hdf5File& file, const XdmfFlow& flow) {
-  std::vector<double> points;
-  points.reserve(flow.nx * flow.ny * 3);
-  for (std::size_t i = 0; i < flow.nx; ++i) {
-    for (std::size_t j = 0; j < flow.ny; ++j) {
-      points.insert(points.end(), {flow.x0_um + static_cast<double>(i) * flow.spacing_um,
-                                   flow.y0_um + static_cast<double>(j) * flow.spacing_um, 0.0});
-    }
-  }
-  file.write("/flow/points_um", std::span<const double>(points), {flow.nx, flow.ny, 3}, "um",
-             "node positions (x, y, 0) relative to the pillar centre");
+std::vector<std::filesystem::path> xdmf_files(const std::filesystem::path& hdf5_path) {
+  std::vector<std::filesystem::path> files = {beside(hdf5_path, ".xdmf")};
+  for (const auto& name : fixed_grids) files.push_back(beside(hdf5_path, "." + name + ".xdmf"));
+  return files;
 }
 
-void write_xdmf(const std::filesystem::path& hdf5_path, const XdmfDescription& description) {
-  if (!description.mesh && !description.flow) return;
-  std::filesystem::path path = hdf5_path;
-  path.replace_extension(".xdmf");
-  const std::string file = hdf5_path.filename().string() + ":";
-  std::ostringstream out;
-  out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n";
-  if (description.mesh) write_mesh(out, file, *description.mesh);
-  if (description.flow) write_flow(out, file, *description.flow);
-  out << "</Domain>\n</Xdmf>\n";
-  const std::filesystem::path part = path.string() + ".part";
-  write_durably(part, out.str());
-  rename_durably(part, path);
+bool write_xdmf(const std::filesystem::path& hdf5_path, const XdmfDescription& description) {
+  for (const auto& path : xdmf_files(hdf5_path)) {
+    std::error_code none;
+    std::filesystem::remove(path, none);
+  }
+  if (description.series.empty() && description.fixed.empty()) return true;
+  if (hdf5_path.filename().string().find(':') != std::string::npos) return false;
+  write_whole(beside(hdf5_path, ".xdmf"), everything(hdf5_path, description));
+  for (const XdmfGrid& grid : description.fixed) {
+    Writer out(hdf5_path);
+    out.grid(grid);
+    write_whole(beside(hdf5_path, "." + grid.name + ".xdmf"), out.text());
+  }
+  return true;
 }
 
 }  // namespace dld

@@ -1,47 +1,51 @@
 #pragma once
-/// XDMF description beside the HDF5 file, for ParaView and VisIt.
+/// XDMF descriptions beside the HDF5 file, for VTK, ParaView, VisIt and meshio: what they draw are data sets
+/// of the HDF5 file, named here with the shape that the readers expect (one row per node or triangle).
 #include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace dld {
 
-class Hdf5File;
-
-/// One membrane shape of the series; `vertices` is the path of a dataset (nv, 3) of double.
-struct XdmfSnapshot {
-  std::string vertices;
-  double time = 0;  ///< step, or any other ascending number (force in pN)
+/// Values on the nodes or on the cells of a grid: a data set (n) or, with three components, (n, 3).
+struct XdmfField {
+  enum class Centre { node, cell };
+  enum class Number { float64, float32, uint8 };
+  std::string name, dataset;
+  Centre centre = Centre::node;
+  int components = 1;  ///< 1 or 3: readers take no vectors of two
+  Number number = Number::float64;
 };
 
-/// A triangle mesh whose vertices move.
-struct XdmfMesh {
-  std::string name = "membrane";
-  std::string faces = "/membrane/faces";  ///< (nf, 3) of int32
-  std::size_t n_faces = 0, n_vertices = 0;
-  std::vector<XdmfSnapshot> snapshots;
+/// A surface of triangles or quadrilaterals.
+struct XdmfGrid {
+  std::string name;
+  std::string points;  ///< data set (n_points, 3) of double, um
+  std::string cells;   ///< data set (n_cells, corners) of int32
+  std::size_t n_points = 0, n_cells = 0;
+  int corners = 3;  ///< 3 or 4
+  std::vector<XdmfField> fields;
 };
 
-/// The mid-plane flow: /flow/velocity (nx, ny, 2) of double and /flow/solid (nx, ny) of uint8.
-struct XdmfFlow {
-  std::size_t nx = 0, ny = 0;
-  double x0_um = 0, y0_um = 0;  ///< position of node (0, 0) relative to the pillar centre
-  double spacing_um = 0;
-  int velocity_bytes = 8;  ///< 8 if velocity was written as double, 4 if as float
+/// One shape of the membrane.
+struct XdmfShape {
+  XdmfGrid grid;
+  double time = 0;  ///< s, or what moves instead of it: steps without a time scale, pN of a stretched cell
 };
 
 struct XdmfDescription {
-  std::optional<XdmfMesh> mesh;
-  std::optional<XdmfFlow> flow;
+  std::vector<XdmfShape> series;  ///< ascending in time; shapes at a time that is there already are left out
+  std::vector<XdmfGrid> fixed;    ///< do not move: pillars, flow
 };
 
-/// The node positions (nx, ny, 3) as /flow/points_um: XDMF wants y to run slower than x, our arrays run
-/// the other way round, so that the plane is described as a curvilinear mesh with explicit points.
-void write_flow_points(Hdf5File& file, const XdmfFlow& flow);
+/// All files that write_xdmf can write beside an HDF5 file: run.xdmf, run.flow.xdmf, run.pillars.xdmf.
+std::vector<std::filesystem::path> xdmf_files(const std::filesystem::path& hdf5_path);
 
-/// Writes e.g. run.xdmf for run.h5 (which is named relative to it); nothing if there is nothing to show.
-void write_xdmf(const std::filesystem::path& hdf5_path, const XdmfDescription& description);
+/// Writes run.xdmf for run.h5 (which is named relative to it), with everything, and one file for each fixed
+/// grid alone, since meshio reads one grid from a file. Files of an earlier run with nothing to show now are
+/// removed. Returns false, and writes nothing, if the readers could not find the HDF5 file: they end its name
+/// at a colon.
+bool write_xdmf(const std::filesystem::path& hdf5_path, const XdmfDescription& description);
 
 }  // namespace dld

@@ -9,6 +9,7 @@
 #include "membrane/stretching.hpp"
 #include "parameters/cell_surface.hpp"
 #include "parameters/text.hpp"
+#include "parameters/units.hpp"
 
 namespace dld {
 namespace {
@@ -48,7 +49,8 @@ double reach_um(const CellParameters& cell) {
 
 void check_width(const Case& c, Problems& problems) {
   if (sized_by_radius(c.cell)) return;
-  const double gap_um = c.geometry.pitch_um - 2 * c.geometry.pillar_radius_um;
+  if (c.geometry.pillar && !pillar_problems(*c.geometry.pillar).empty()) return;
+  const double gap_um = device_um(c).gap();
   const Eigen::MatrixX3d x = vertices_um(c.cell);
   const Eigen::RowVector3d width_um = x.colwise().maxCoeff() - x.colwise().minCoeff();
   if (std::min(width_um.x(), width_um.y()) < gap_um) return;

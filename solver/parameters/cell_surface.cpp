@@ -98,6 +98,16 @@ double in_plane_radius_um(const CellParameters& cell) {
   return cell.radius_um;
 }
 
+double half_box_um(const CellParameters& cell) {
+  return sized_by_radius(cell) ? cell.radius_um
+                               : cell_mesh(cell, cell.radius_um).vertices.cwiseAbs().maxCoeff();
+}
+
+Eigen::Index face_count(const CellParameters& cell) {
+  if (cell.surface) return cell.surface->mesh_um.faces.rows();
+  return 20 * static_cast<Eigen::Index>(cell.mesh_frequency) * cell.mesh_frequency;
+}
+
 std::string size_pointer(const CellParameters& cell) {
   if (cell.shape == "ellipsoid") return "/cell/semi_axes_um";
   return cell.shape == "mesh" ? "/cell/mesh_file" : "/cell/radius_um";

@@ -38,9 +38,14 @@ bool mirror_symmetric(const CellParameters& cell);
 /// Largest distance of the surface to the z axis, um.
 double in_plane_radius_um(const CellParameters& cell);
 
+/// Largest distance of the surface from a plane x = 0, y = 0 or z = 0, um; r of a shape that r describes.
+double half_box_um(const CellParameters& cell);
+
 /// Where the size stands: "/cell/radius_um", "/cell/semi_axes_um" or "/cell/mesh_file".
 std::string size_pointer(const CellParameters& cell);
 /// What stands there.
 std::string size_text(const CellParameters& cell);
+
+Eigen::Index face_count(const CellParameters& cell);
 
 }  // namespace dld

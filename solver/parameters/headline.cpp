@@ -1,18 +1,17 @@
 #include "parameters/headline.hpp"
 
 #include "parameters/cell_surface.hpp"
+#include "parameters/pillar_json.hpp"
 #include "parameters/text.hpp"
 
 namespace dld {
 namespace {
 
 std::string device_text(const GeometryParameters& g) {
-  const std::string pillar = g.pillar_shape == "none"
-                                 ? "no pillars"
-                                 : g.pillar_shape + " R = " + number_text(g.pillar_radius_um) + " um";
+  const std::string pillar =
+      g.pillar_values().shape == "none" ? "no pillars" : pillar_words(g.pillar_values(), number_text);
   return pillar + ", pitch " + number_text(g.pitch_um) + " um, d = " + number_text(g.row_shift_um) +
-         " um (epsilon " + number_text(g.row_shift_um / g.pitch_um) + "), depth " + number_text(g.depth_um) +
-         " um";
+         " um (epsilon " + number_text(g.epsilon()) + "), depth " + number_text(g.depth_um) + " um";
 }
 
 std::string cell_text(const CellParameters& cell) {

@@ -93,17 +93,6 @@ Margin above(const std::string& name, double value, double limit, const std::str
 
 const std::string softer = "reduce /fluid/force_density (at fixed Ca all moduli fall with it)";
 
-// The moduli (lu) that the scene simulates: the coupled tweezer has a shear modulus of its own.
-LatticeParameters simulated(const Case& c) {
-  LatticeParameters l = to_lattice(c);
-  if (c.scene != "stretching") return l;
-  l.shear_modulus = coupled_stretching_shear_modulus;
-  l.bending_modulus = c.cell.bending_ratio * l.shear_modulus * l.cell_radius * l.cell_radius;
-  l.local_area_modulus = c.cell.local_area_modulus * l.shear_modulus;
-  l.volume_modulus = c.cell.volume_modulus * l.shear_modulus / l.cell_radius;
-  return l;
-}
-
 // True moduli of the Skalak law at small strain: shear G = 4 kS/k, area K = G + 2 kalpha/3.
 void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>& margins) {
   const double shear = 4 * l.shear_modulus / c.cell.skalak_denominator;
@@ -128,7 +117,7 @@ void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Mar
                           softer + ", /cell/local_area_modulus or /cell/capillary_number"));
   if (l.kink_mobility > 0) {
     margins.push_back(below("stiffness K + G times what the corrected kernel gives back, per update",
-                            steps * l.kink_mobility * kink_symbol * (area + shear), kink_limit, "1",
+                            steps * l.kink_mobility * kink_symbol * (area + shear), kink_limit, "",
                             softer + " or /coupling/steps_per_update"));
   }
   if (c.scene == "passage") {
@@ -151,7 +140,7 @@ void contact_margins(const Case& c, std::vector<Margin>& margins) {
   margins.push_back(above("pillar repulsion times Ca", c.coupling.pillar_repulsion * ca / (range * range),
                           least_repulsion, "p' l h0^2", "raise /coupling/pillar_repulsion"));
   if (c.coupling.wall_repulsion > 0) return;
-  margins.push_back(below("Ca without repulsion from the walls", ca, wall_contact_capillary, "1",
+  margins.push_back(below("Ca without repulsion from the walls", ca, wall_contact_capillary, "",
                           "set /coupling/wall_repulsion: so soft a cell may touch the walls", false));
 }
 
@@ -162,21 +151,21 @@ void flow_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>
   const std::string slower = "reduce /fluid/force_density";
   margins.push_back(below("largest speed 2 f H^2 / (12 nu)", speed, speed_limit, "lu", slower));
   margins.push_back(below("largest speed, for accuracy", speed, accurate_speed_limit, "lu", slower, false));
-  margins.push_back(below("density variation 3 f lambda", density, density_limit, "1", slower));
+  margins.push_back(below("density variation 3 f lambda", density, density_limit, "", slower));
   margins.push_back(
-      below("density variation, for accuracy", density, accurate_density_limit, "1", slower, false));
+      below("density variation, for accuracy", density, accurate_density_limit, "", slower, false));
   if (c.scene == "passage" && c.fluid.equilibrium == "full") {
-    margins.push_back(below("Reynolds number", 0.5 * speed * l.length_scale / l.viscosity, inertia_limit, "1",
+    margins.push_back(below("Reynolds number", 0.5 * speed * l.length_scale / l.viscosity, inertia_limit, "",
                             slower + ", or raise /fluid/relaxation_time"));
   }
   if (c.scene == "passage" && c.fluid.collision == "bgk") {
     margins.push_back(above("relaxation time - 1/2, BGK", c.fluid.relaxation_time - 0.5, bgk_relaxation_limit,
-                            "1", "raise /fluid/relaxation_time, or use trt"));
+                            "", "raise /fluid/relaxation_time, or use trt"));
   }
   margins.push_back(above("gap / dx", l.gap, accurate_gap, "lu",
                           "lower /fluid/lattice_spacing_um: s is off by tens of per cent", false));
   if (!c.geometry.rotated_square())
-    margins.push_back(below("row shift / pitch", c.geometry.epsilon(), row_shift_limit, "1",
+    margins.push_back(below("row shift / pitch", c.geometry.epsilon(), row_shift_limit, "",
                             "mirror the array: a shift d is a shift pitch - d to the other side", false));
 }
 
@@ -194,8 +183,7 @@ void slip_margin(const Case& c, const LatticeParameters& l, std::vector<Margin>&
 
 // Speed of the walls of the sheared box.
 void wall_speed_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>& margins) {
-  const double rate = c.shear.reynolds_number * l.viscosity / (l.cell_radius * l.cell_radius);
-  const double speed = 0.5 * rate * c.shear.box_um / l.um_per_lu;
+  const double speed = 0.5 * l.shear_rate * c.shear.box_um / l.um_per_lu;
   const std::string slower = "reduce /shear/reynolds_number";
   margins.push_back(below("speed of the walls", speed, speed_limit, "lu", slower));
   margins.push_back(
@@ -205,7 +193,7 @@ void wall_speed_margins(const Case& c, const LatticeParameters& l, std::vector<M
 }  // namespace
 
 std::vector<Margin> passage_margins(const Case& c) {
-  const LatticeParameters l = simulated(c);
+  const LatticeParameters l = scene_lattice(c);
   std::vector<Margin> margins;
   membrane_margins(c, l, margins);
   contact_margins(c, margins);
@@ -216,26 +204,26 @@ std::vector<Margin> passage_margins(const Case& c) {
 
 std::vector<Margin> streamlines_margins(const Case& c) {
   std::vector<Margin> margins;
-  flow_margins(c, simulated(c), margins);
-  slip_margin(c, simulated(c), margins);
+  flow_margins(c, scene_lattice(c), margins);
+  slip_margin(c, scene_lattice(c), margins);
   return margins;
 }
 
 std::vector<Margin> stretching_margins(const Case& c) {
   std::vector<Margin> margins;
-  if (c.stretching.method == "coupled") membrane_margins(c, simulated(c), margins);
+  if (c.stretching.method == "coupled") membrane_margins(c, scene_lattice(c), margins);
   return margins;
 }
 
 std::vector<Margin> channel_margins(const Case& c) {
   std::vector<Margin> margins;
-  slip_margin(c, simulated(c), margins);
+  slip_margin(c, scene_lattice(c), margins);
   return margins;
 }
 
 std::vector<Margin> shear_margins(const Case& c) {
   std::vector<Margin> margins;
-  wall_speed_margins(c, simulated(c), margins);
+  wall_speed_margins(c, scene_lattice(c), margins);
   return margins;
 }
 

@@ -107,7 +107,7 @@ Json number_schema(const PillarParameter& p) {
 }
 
 Json parameter_schema(const PillarParameter& p) {
-  Json schema = {{"description", std::string(p.doc) + " [" + std::string(p.unit) + "]"}};
+  Json schema = {{"description", with_unit(p.doc, p.unit)}};
   const Json number = number_schema(p);
   const Json pair = {{"type", "array"}, {"items", number}, {"minItems", 2}, {"maxItems", 2}};
   if (p.kind == Kind::pair) {
@@ -165,6 +165,25 @@ Json pillar_json(const PillarValues& values) {
     }
   }
   return json;
+}
+
+std::string pillar_words(const PillarValues& values, std::string (*number)(double)) {
+  std::string words = values.shape;
+  for (const PillarParameter& p : pillar_parameters(values.shape)) {
+    const auto found = values.values.find(p.name);
+    if (found == values.values.end()) continue;
+    std::string name(p.name.substr(0, p.name.rfind(p.unit == "um" ? "_um" : "_deg")));
+    std::ranges::replace(name, '_', ' ');
+    const std::vector<double>& list = found->second;
+    words += ", ";
+    if (p.kind == Kind::points) {
+      words += std::to_string(list.size() / 2) + " " + name;
+      continue;
+    }
+    words += name + " " + number(list.at(0)) + (list.size() > 1 ? " and " + number(list.at(1)) : "");
+    if (!p.unit.empty()) words += " " + std::string(p.unit);
+  }
+  return words;
 }
 
 Json pillar_schema() {

@@ -19,6 +19,9 @@ std::optional<PillarValues> read_pillar(const nlohmann::ordered_json& json, cons
 /// Reading it gives the same values.
 nlohmann::ordered_json pillar_json(const PillarValues& values);
 
+/// "circle, radius 10 um", every number as `number` writes it.
+std::string pillar_words(const PillarValues& values, std::string (*number)(double));
+
 /// One alternative per registered shape.
 nlohmann::ordered_json pillar_schema();
 

@@ -9,13 +9,14 @@
 
 namespace dld {
 
-/// The members of LatticeParameters by name, of the device (other scenes have boxes of their own).
+/// The members of LatticeParameters by name, as the scene simulates them.
 nlohmann::ordered_json lattice_numbers(const Case& c);
 
-/// epsilon, Ca, the moduli in units of kS, confinement, Re of the empty slit, mesh edge / dx.
+/// The dimensionless numbers that the scene has: epsilon, Ca, the moduli in units of kS, confinement, Re.
 nlohmann::ordered_json dimensionless_numbers(const Case& c);
 
-/// SI numbers for water-like fluid (1 mPa s) and a healthy cell (5.3 uN/m).
+/// SI numbers for water-like fluid (1 mPa s) and a healthy cell (5.3 uN/m; a stretched cell has the case's),
+/// and what a lattice unit is.
 nlohmann::ordered_json si_numbers(const Case& c);
 
 /// What a run will cost: steps (of a passage also per pillar row), node updates, updates of membrane vertices

@@ -7,6 +7,7 @@
 #include "parameters/presets.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/scene_rules.hpp"
+#include "parameters/text.hpp"
 
 namespace dld {
 namespace {
@@ -58,8 +59,7 @@ bool is_absent(const Json& value) {
 }
 
 Json property(const Declaration& declaration, Case& defaults) {
-  const std::string unit = declaration.unit.empty() ? "" : " [" + std::string(declaration.unit) + "]";
-  Json schema = {{"description", std::string(declaration.doc) + unit}};
+  Json schema = {{"description", with_unit(declaration.doc, declaration.unit)}};
   if (!declaration.field) {
     schema["type"] = "number";
     add_limits(schema, declaration.allowed);

@@ -1,14 +1,33 @@
 #pragma once
 /// Numbers and names in messages.
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/text.hpp"
 
 namespace dld {
+
+/// Three significant digits, for people: 0.0123, 45.7, 12300, 1.23e-06.
+inline std::string short_number(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3g", value);
+  if (const double size = std::abs(value); size >= 999.5 && size < 1e7) {
+    const double unit = std::pow(10.0, std::floor(std::log10(size)) - 2);
+    std::snprintf(digits, sizeof digits, "%.0f", std::round(value / unit) * unit);
+  }
+  return digits;
+}
+
+/// "pitch along x [um]"; a number without a unit, "1", has none that people need to read.
+inline std::string with_unit(std::string_view text, std::string_view unit) {
+  return std::string(text) + (unit.empty() || unit == "1" ? "" : " [" + std::string(unit) + "]");
+}
 
 /// "a, b, c"
 inline std::string joined(const std::vector<std::string>& names) {

@@ -5,6 +5,7 @@
 
 #include "coupling/kernel.hpp"
 #include "membrane/bending_law.hpp"
+#include "parameters/cell_surface.hpp"
 
 namespace dld {
 namespace {
@@ -87,6 +88,63 @@ LatticeParameters to_lattice(const Case& c) {
                                       c.fluid.collision == "bgk" ? odd * odd : c.fluid.magic_parameter) /
                     l.viscosity;
   return l;
+}
+
+namespace {
+
+// Without a pressure gradient the moduli of the case are in units of kS (and of kS / r for the volume).
+void set_moduli(const Case& c, double shear, LatticeParameters& l) {
+  l.shear_modulus = shear;
+  l.local_area_modulus = c.cell.local_area_modulus * shear;
+  l.global_area_modulus = c.cell.global_area_modulus * shear;
+  l.bending_modulus = c.cell.bending_ratio * shear * l.cell_radius * l.cell_radius;
+  l.volume_modulus = c.cell.volume_modulus * shear / l.cell_radius;
+}
+
+// No pillars and no force.
+void set_box(LatticeParameters& l, int nx, int ny, int nz) {
+  l.nx = nx;
+  l.ny = ny;
+  l.nz = nz;
+  l.depth = l.half_height ? 2 * nz : nz;
+  l.row_shift = 0;
+  l.pillar_radius = l.gap = l.length_scale = l.force_density = l.tension_scale = 0;
+}
+
+LatticeParameters shear_lattice(const Case& c) {
+  LatticeParameters l = to_lattice(c);
+  const int n = whole(c.shear.box_um, l.um_per_lu);
+  l.half_height = false;
+  set_box(l, n, n, n);
+  const double a = l.cell_radius;
+  l.shear_rate = c.shear.reynolds_number * l.viscosity / (a * a);
+  set_moduli(c, l.viscosity * l.shear_rate * a / c.shear.capillary_number, l);
+  return l;
+}
+
+LatticeParameters stretching_lattice(const Case& c) {
+  LatticeParameters l = to_lattice(c);
+  if (c.stretching.method == "coupled") {
+    const double reach = spacings(half_box_um(c.cell), l.um_per_lu);
+    const auto spacings_of = [&](double reaches) { return static_cast<int>(std::ceil(reaches * reach)); };
+    l.half_height = true;
+    set_box(l, spacings_of(5.6), spacings_of(4.0), spacings_of(1.2));
+    set_moduli(c, coupled_stretching_shear_modulus, l);
+    return l;
+  }
+  set_box(l, 0, 0, 0);
+  l.cell_radius = c.cell.radius_um;
+  l.um_per_lu = 0;
+  set_moduli(c, c.stretching.shear_modulus_uN_per_m, l);
+  return l;
+}
+
+}  // namespace
+
+LatticeParameters scene_lattice(const Case& c) {
+  if (c.scene == "shear") return shear_lattice(c);
+  if (c.scene == "stretching") return stretching_lattice(c);
+  return to_lattice(c);
 }
 
 SiScales to_si(const Case& c, double eta_Pa_s, double shear_modulus_N_per_m) {

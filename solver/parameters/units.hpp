@@ -30,15 +30,21 @@ struct LatticeParameters {
   double volume_modulus = 0;                                   ///< kV
   double repulsion_strength = 0, wall_repulsion_strength = 0;  ///< K, lu of force
   double kink_mobility = 0;  ///< of the corrected kernel (see CouplingModel)
+  double shear_rate = 0;     ///< gdot of the scene shear
   double um_per_lu = 0;      ///< dx in um
 };
 
+/// The device of the case, whatever its scene.
 LatticeParameters to_lattice(const Case& c);
 
 /// The device of a case whose pillar has no problems: lengths in um, and in lattice units with the unit cell
 /// of to_lattice.
 Device device_um(const Case& c);
 Device device_lu(const Case& c);
+
+/// What the scene of the case simulates: its own box and moduli instead of those of the device. The static
+/// tweezer has no lattice: its radius is in um, its moduli are in uN/m and pN um, and um_per_lu is 0.
+LatticeParameters scene_lattice(const Case& c);
 
 /// kS (lu) in the coupled tweezer, whose result does not depend on it: stiff enough to relax soon, soft
 /// enough for the explicit coupling. Its other moduli are the case's times this.

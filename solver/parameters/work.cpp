@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parameters/cell_surface.hpp"
 #include "parameters/units.hpp"
 
 namespace dld {
@@ -58,10 +59,10 @@ LatticeBox shear_box(const Case& c) {
   return {edge, edge, edge};
 }
 
-// The boxes of stretching.cpp and channel.cpp.
+// The boxes of units.cpp and channel.cpp.
 LatticeBox stretching_box(const Case& c) {
   if (c.stretching.method == "static") return {};
-  const double r = c.cell.radius_um / c.fluid.lattice_spacing_um;
+  const double r = half_box_um(c.cell) / c.fluid.lattice_spacing_um;
   return {std::ceil(5.6 * r), std::ceil(4.0 * r), std::ceil(1.2 * r)};
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "parameters/consistency.hpp"
+#include "parameters/physical.hpp"
 #include "parameters/work.hpp"
 #include "scene/registry.hpp"
 #include "scene/setup.hpp"
@@ -81,6 +82,8 @@ Status run(const Case& c, RunContext& context) {
   context.out.write("/profile/z_um", zs, "um", "position across the depth");
   context.out.write("/profile/velocity", simulated, "lu", "simulated velocity");
   context.out.write("/profile/exact", exact, "lu", "exact velocity");
+  for (const char* dataset : {"/profile/velocity", "/profile/exact"})
+    context.out.physical(dataset, "mm/s", physical_scales(c).velocity_mm_s);
   // In a plane channel the error is the same at every node: the slip of the wall.
   const double centre_line = exact_velocity(0.0, 0.0, width, l.depth, l.force_density / l.viscosity);
   context.summary["max_relative_error"] = largest / centre;

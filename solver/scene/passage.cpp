@@ -18,6 +18,7 @@
 #include "measure/cross_section.hpp"
 #include "measure/return_map.hpp"
 #include "parameters/consistency.hpp"
+#include "parameters/physical.hpp"
 #include "parameters/text.hpp"
 #include "parameters/work.hpp"
 #include "scene/coupled_state.hpp"
@@ -26,7 +27,9 @@
 #include "scene/monitor.hpp"
 #include "scene/passage_record.hpp"
 #include "scene/passage_start.hpp"
+#include "scene/pillar_output.hpp"
 #include "scene/registry.hpp"
+#include "scene/separations.hpp"
 #include "scene/setup.hpp"
 #include "scene/steady_flow.hpp"
 
@@ -43,7 +46,7 @@ class PassageRun {
         device_(device_lu(c)),
         gap_(device_.gap_line()),
         lattice_(make_unit_cell(c, device_), make_fluid_model(c)),
-        membrane_(cell_mesh(c.cell, l_.cell_radius), make_moduli(c)),
+        membrane_(cell_mesh(c.cell, l_.cell_radius), make_moduli(c, l_)),
         lateral_(c.fluid.lateral_flow == "blocked", l_),
         map_(map_options(c)),
         unit_(whole_steps(make_coupling_model(c))) {
@@ -89,6 +92,7 @@ class PassageRun {
     const PlaneField field =
         mid_plane(lattice_, [this](double x, double y) { return device_.pillars().signed_distance(x, y); });
     place_cell(start_positions(case_, membrane_.reference().vertices, device_, field));
+    if (has_separations()) separations_ = separations(field.flow(gap_, device_.tilt()));
     cell_->refresh_viscosity();
     save_checkpoint();  // a state to go back to, should the run fail before the first line
     return std::nullopt;
@@ -97,6 +101,8 @@ class PassageRun {
   void place_cell(const Eigen::MatrixX3d& positions) {
     cell_.emplace(lattice_, membrane_, device_.pillars(), make_coupling_model(case_), positions);
   }
+
+  bool has_separations() const { return !device_.empty() && case_.geometry.row_shift_um != 0; }
 
   /// Steps between checks, at the most: trouble is seen within a few hundred steps.
   static constexpr int longest_interval = 200;
@@ -272,6 +278,7 @@ class PassageRun {
     whole("last_snapshot", last_snapshot_);
     checkpoint.set("last_recorded", std::vector<double>(last_recorded_.data(), last_recorded_.data() + 3));
     checkpoint.set("heights", heights_);
+    if (separations_) save_separations(checkpoint, *separations_);
     checkpoint.set("extent", extent_.numbers());
     checkpoint.set("extent_vertices", to_values(extent_.vertices_at_max()));
     whole("last_good_row", last_good_.row);
@@ -307,6 +314,7 @@ class PassageRun {
     last_snapshot_ = saved_->integer("last_snapshot");
     last_recorded_ = to_matrix(values("last_recorded")).row(0).transpose();
     for (const double y : values("heights")) add_crossing(y);
+    if (has_separations()) separations_ = load_separations(*saved_);
     extent_ = PassageExtent::from(values("extent"), to_matrix(values("extent_vertices")));
     last_good_ = {"last_good", static_cast<int>(saved_->integer("last_good_row")),
                   saved_->integer("last_good_step"), to_matrix(values("last_good_vertices"))};
@@ -316,12 +324,29 @@ class PassageRun {
 
   Status finish(Status status) {
     if (failure_ && last_good_.vertices.size() > 0) record_.keep(last_good_);
+    if (!failure_) record_.keep({"final", row_, steps_, cell_->positions()});
     summarise(status);
-    context_.xdmf.mesh = record_.write(context_.out, membrane_.reference(), l_.um_per_lu);
+    const PhysicalScales scales = physical_scales(case_);
+    context_.xdmf.series = record_.write(context_.out, membrane_, device_.pillars(), scales);
+    write_surroundings();
     if (case_.output.flow_field && lattice_.even()) {
-      write_plane_flow(context_, mid_plane(lattice_, {}), l_.um_per_lu);
+      Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+      if (cell_) centre = cell_->centre().head(2).transpose();
+      write_plane_flow(context_, mid_plane(lattice_, {}), scales,
+                       centre.allFinite() ? centre : Eigen::Vector2d::Zero());
     }
     return status;
+  }
+
+  /// The pillars that the cell has passed, and the streamlines that its way is judged by.
+  void write_surroundings() {
+    std::vector<double> x = record_.trajectory.column("x_um"), y = record_.trajectory.column("y_um");
+    for (auto* way : {&x, &y}) {
+      for (double& place : *way) place /= l_.um_per_lu;
+    }
+    const PillarArray& pillars = device_.pillars();
+    write_pillars(context_, pillars, pillars_along(pillars, x, y), 0.5 * l_.depth, l_.um_per_lu);
+    if (separations_) write_separations(context_, *separations_, l_.um_per_lu);
   }
 
   void summarise(Status status) {
@@ -398,6 +423,8 @@ class PassageRun {
   int unit_;                     ///< steps after which fluid and cell are both whole
   std::vector<double> heights_;  ///< y of the centre (lu) at the crossings of map_
 
+  std::optional<Separations>
+      separations_;  ///< none in an empty slit, without a row shift and before the flow
   PassageRecord record_;
   PassageExtent extent_{gap_.x};
   std::optional<Checkpoint> saved_;  ///< what the run goes on from; empty once it does

@@ -21,9 +21,14 @@ const std::vector<double>& ColumnTable::column(const std::string& name) const {
   throw std::out_of_range("no column " + name);
 }
 
-void ColumnTable::write(Hdf5File& out, const std::string& group) const {
-  for (const Column& column : columns_)
-    out.write(group + "/" + column.name, column.values, column.unit, column.description);
+void ColumnTable::write(Hdf5File& out, const std::string& group, const PhysicalScales& scales) const {
+  for (const Column& column : columns_) {
+    const std::string dataset = group + "/" + column.name;
+    out.write(dataset, column.values, column.unit, column.description);
+    if (column.unit == "step") out.physical(dataset, "s", scales.time_step_s);
+    if (column.unit == "um/step" && scales.time_step_s > 0)
+      out.physical(dataset, "mm/s", 1e-3 / scales.time_step_s);
+  }
 }
 
 void ColumnTable::save(Checkpoint& checkpoint, const std::string& prefix) const {
@@ -38,34 +43,34 @@ namespace {
 
 ColumnTable trajectory_table() {
   return ColumnTable({
-      {"step", "1", "time step", {}},
+      {"step", "step", "time step", {}},
       {"x_um", "um", "centre, relative to the pillar of row 0, not wrapped", {}},
       {"y_um", "um", "centre, relative to the pillar of row 0, lane 0, not wrapped", {}},
       {"z_um", "um", "centre above the mid plane", {}},
       {"extent_x_um", "um", "extent of the cell along x", {}},
       {"extent_y_um", "um", "extent of the cell along y", {}},
       {"extent_z_um", "um", "extent of the cell along z", {}},
-      {"area_change", "1", "(A - A0) / A0", {}},
-      {"volume_change", "1", "(V - V0) / V0", {}},
-      {"min_face_ratio", "1", "smallest area of a face relative to its reference", {}},
+      {"area_change", "none", "(A - A0) / A0", {}},
+      {"volume_change", "none", "(V - V0) / V0", {}},
+      {"min_face_ratio", "none", "smallest area of a face relative to its reference", {}},
       {"film_um", "um", "smallest distance between the membrane and a pillar", {}},
   });
 }
 
 ColumnTable crossings_table() {
   return ColumnTable({
-      {"row", "1", "row of the pillar line", {}},
-      {"step", "1", "time step at which the centre is on the line", {}},
+      {"row", "none", "row of the pillar line", {}},
+      {"step", "step", "time step at which the centre is on the line", {}},
       {"y_um", "um", "centre on the line, not wrapped", {}},
       {"gap_position_um", "um", "centre above the surface of the pillar below", {}},
-      {"lane", "1", "lane of the pillar below", {}},
-      {"bump", "1", "1: kept its lane since the line before, 0: fell back by one (zig)", {}},
+      {"lane", "none", "lane of the pillar below", {}},
+      {"bump", "none", "1: kept its lane since the line before, 0: fell back by one (zig)", {}},
       {"d_perp_um", "um", "largest lateral extent on the line during the passage", {}},
       {"d_perp_at_centre_um", "um", "lateral extent on the line with the centre on it", {}},
       {"film_um", "um", "smallest distance to a pillar while the line cuts the cell", {}},
-      {"min_face_ratio", "1", "smallest area of a face relative to its reference", {}},
+      {"min_face_ratio", "none", "smallest area of a face relative to its reference", {}},
       {"height_um", "um", "extent along z of the section of largest lateral extent", {}},
-      {"speed_um_per_step", "um", "mean speed along x since the line before, per time step", {}},
+      {"speed_um_per_step", "um/step", "mean speed along x since the line before, per time step", {}},
   });
 }
 
@@ -93,26 +98,20 @@ void PassageRecord::keep_snapshot(const std::string& kind, int row, long step,
   snapshots_.push_back({kind + number, row, step, vertices});
 }
 
-XdmfMesh PassageRecord::write(Hdf5File& out, const TriangleMesh& reference, double um_per_lu) const {
-  if (trajectory.size() > 0) trajectory.write(out, "/trajectory");
-  if (crossings.size() > 0) crossings.write(out, "/crossings");
-  out.write_matrix("/membrane/faces", reference.faces, "1", "vertices of each triangle");
-  const Eigen::MatrixX3d rest = reference.vertices * um_per_lu;
-  out.write_matrix("/membrane/reference", rest, "um", "stress-free shape");
-  XdmfMesh mesh;
-  mesh.n_faces = static_cast<std::size_t>(reference.faces.rows());
-  mesh.n_vertices = static_cast<std::size_t>(reference.vertices.rows());
+std::vector<XdmfShape> PassageRecord::write(Hdf5File& out, const Membrane& membrane,
+                                            const PillarArray& pillars, const PhysicalScales& scales) const {
+  if (trajectory.size() > 0) trajectory.write(out, "/trajectory", scales);
+  if (crossings.size() > 0) crossings.write(out, "/crossings", scales);
+  MembraneOutput shapes(out, membrane, scales, &pillars);
+  const double seconds = scales.time_step_s > 0 ? scales.time_step_s : 1;  // steps where there is no scale
   for (const MembraneSnapshot& s : snapshots_) {
-    const std::string group = "/membrane/" + s.name;
-    const Eigen::MatrixX3d vertices = s.vertices * um_per_lu;
-    out.write_matrix(group + "/vertices", vertices, "um", "membrane nodes, not wrapped");
+    const double time = static_cast<double>(s.step) * seconds;
+    const std::string group = shapes.write(s.name, s.vertices, time, "membrane nodes, not wrapped");
     out.attribute(group, "row", s.row);
     out.attribute(group, "step", static_cast<std::int64_t>(s.step));
-    mesh.snapshots.push_back({group + "/vertices", static_cast<double>(s.step)});
+    out.attribute(group, "time_s", static_cast<double>(s.step) * scales.time_step_s);
   }
-  std::sort(mesh.snapshots.begin(), mesh.snapshots.end(),
-            [](const XdmfSnapshot& a, const XdmfSnapshot& b) { return a.time < b.time; });
-  return mesh;
+  return shapes.series();
 }
 
 void PassageRecord::save(Checkpoint& checkpoint) const {

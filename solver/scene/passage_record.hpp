@@ -8,7 +8,8 @@
 #include "membrane/membrane.hpp"
 #include "output/checkpoint.hpp"
 #include "output/hdf5_file.hpp"
-#include "output/xdmf.hpp"
+#include "parameters/physical.hpp"
+#include "scene/membrane_output.hpp"
 
 namespace dld {
 
@@ -25,7 +26,8 @@ class ColumnTable {
   void append(const std::vector<double>& row);
   std::size_t size() const { return columns_.front().values.size(); }
   const std::vector<double>& column(const std::string& name) const;
-  void write(Hdf5File& out, const std::string& group) const;
+  /// Writes the columns as data sets of the group; those in steps say what they are in seconds.
+  void write(Hdf5File& out, const std::string& group, const PhysicalScales& scales) const;
   void save(Checkpoint& checkpoint, const std::string& prefix) const;
   void load(const Checkpoint& checkpoint, const std::string& prefix);
 
@@ -67,8 +69,9 @@ class PassageRecord {
   /// Keeps a shape under its own name.
   void keep(MembraneSnapshot snapshot) { snapshots_.push_back(std::move(snapshot)); }
 
-  /// Writes /trajectory, /crossings and /membrane; returns the membrane's series for XDMF.
-  XdmfMesh write(Hdf5File& out, const TriangleMesh& reference, double um_per_lu) const;
+  /// Writes /trajectory, /crossings and /membrane; returns the membrane's series for XDMF, in seconds.
+  std::vector<XdmfShape> write(Hdf5File& out, const Membrane& membrane, const PillarArray& pillars,
+                               const PhysicalScales& scales) const;
 
   void save(Checkpoint& checkpoint) const;
   void load(const Checkpoint& checkpoint);

@@ -35,8 +35,7 @@ FluidModel make_fluid_model(const Case& c) {
   return model;
 }
 
-MembraneModuli make_moduli(const Case& c) {
-  const LatticeParameters l = to_lattice(c);
+MembraneModuli make_moduli(const Case& c, const LatticeParameters& l) {
   MembraneModuli m;
   m.shear = l.shear_modulus;
   m.skalak_denominator = c.cell.skalak_denominator;

@@ -17,8 +17,8 @@ UnitCell make_unit_cell(const Case& c, const Device& device);
 
 FluidModel make_fluid_model(const Case& c);
 
-/// Moduli of the cell in lattice units; no volume penalty where the volume is projected.
-MembraneModuli make_moduli(const Case& c);
+/// Moduli of the scene's cell; no volume penalty where the volume is projected.
+MembraneModuli make_moduli(const Case& c, const LatticeParameters& l);
 
 CouplingModel make_coupling_model(const Case& c);
 

@@ -48,10 +48,9 @@ double change_of_last_quarter(const std::vector<double>& values) {
 
 template <class Real>
 Status run(const Case& c, RunContext& context) {
-  const LatticeParameters l = to_lattice(c);
-  const double a = l.cell_radius;
-  const double rate = c.shear.reynolds_number * l.viscosity / (a * a);  // gdot
-  const int n = static_cast<int>(std::lround(c.shear.box_um / l.um_per_lu));
+  const LatticeParameters l = scene_lattice(c);
+  const double a = l.cell_radius, rate = l.shear_rate;
+  const int n = l.nx;
   const double wall_speed = 0.5 * rate * n;
 
   FluidModel fluid = make_fluid_model(c);
@@ -63,14 +62,7 @@ Status run(const Case& c, RunContext& context) {
     return std::array<double, 3>{rate * (z + box.origin_z), 0.0, 0.0};
   });
 
-  MembraneModuli moduli;
-  moduli.shear = l.viscosity * rate * a / c.shear.capillary_number;
-  moduli.skalak_denominator = c.cell.skalak_denominator;
-  moduli.local_area = c.cell.local_area_modulus * moduli.shear;
-  moduli.global_area = c.cell.global_area_modulus * moduli.shear;
-  moduli.bending = c.cell.bending_ratio * moduli.shear * a * a;
-  moduli.bending_law = bending_law_by_name(c.cell.bending_law);
-  if (c.cell.volume_control == "penalty") moduli.volume = c.cell.volume_modulus * moduli.shear / a;
+  const MembraneModuli moduli = make_moduli(c, l);
   Membrane membrane(cell_mesh(c.cell, a), moduli);
   const PillarArray no_pillars(std::make_shared<const NoPillar>(), n, n, 0.0);
   CouplingModel coupling = make_coupling_model(c);
@@ -78,8 +70,8 @@ Status run(const Case& c, RunContext& context) {
   CoupledCell<Real> cell(lattice, membrane, no_pillars, coupling, membrane.reference().vertices);
 
   ColumnTable series({{"time", "1/gdot", "time times shear rate", {}},
-                      {"deformation", "1", "(L - B)/(L + B) of the equivalent ellipsoid", {}},
-                      {"volume_change", "1", "(V - V0)/V0", {}}});
+                      {"deformation", "none", "(L - B)/(L + B) of the equivalent ellipsoid", {}},
+                      {"volume_change", "none", "(V - V0)/V0", {}}});
   const long steps = std::lround(c.shear.duration / rate), last = std::min(steps, c.stop.max_steps);
   const long interval = std::max(2L, steps / 200 / 2 * 2);
   long done = 0;
@@ -127,7 +119,11 @@ Status run(const Case& c, RunContext& context) {
   context.summary["steps"] = done;
   context.summary["node_updates"] = done * static_cast<long>(lattice.fluid_nodes());
   context.summary["membrane_updates"] = done * membrane.vertex_count();
-  if (series.size() > 0) series.write(context.out, "/shear");
+  if (series.size() > 0) {
+    const PhysicalScales scales = physical_scales(c);
+    series.write(context.out, "/shear", scales);
+    context.out.physical("/shear/time", "s", scales.time_step_s / rate);
+  }
   return status;
 }
 

@@ -9,6 +9,7 @@
 #include "measure/plane_field.hpp"
 #include "output/interrupt.hpp"
 #include "output/progress.hpp"
+#include "parameters/text.hpp"
 #include "parameters/units.hpp"
 #include "scene/monitor.hpp"
 #include "scene/scene.hpp"
@@ -109,7 +110,7 @@ SteadyState run_to_steady_state(Lattice<Real>& lattice, const LateralFlow& later
       const double span = first_log - std::log(goal);
       progress.update(
           span > 0 ? (first_log - log_residual) / span : 0.0,
-          "step " + std::to_string(state.steps) + ", change per 100 steps " + std::to_string(state.residual));
+          "step " + std::to_string(state.steps) + ", change per 100 steps " + short_number(state.residual));
     }
   }
   progress.finish(to_string(state.status));

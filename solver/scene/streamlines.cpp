@@ -7,14 +7,15 @@
 /// 1 run to the steady state   2 flow resistance and mean velocities   3 separation streamlines, s
 ///
 /// Try: dld run params/cases/streamlines.json /tmp/streamlines.h5
-#include "measure/streamlines.hpp"
-
 #include "parameters/consistency.hpp"
+#include "parameters/physical.hpp"
 #include "parameters/work.hpp"
 #include "scene/device_output.hpp"
 #include "scene/flow_output.hpp"
 #include "scene/monitor.hpp"
+#include "scene/pillar_output.hpp"
 #include "scene/registry.hpp"
+#include "scene/separations.hpp"
 #include "scene/setup.hpp"
 #include "scene/steady_flow.hpp"
 
@@ -38,13 +39,6 @@ void summarise_flow(const Case& c, const SteadyState& steady, const LateralFlow&
   summary["max_speed"] = steady.flow.max_speed;
   summary["density_variation"] = steady.flow.max_density_deviation - steady.flow.min_density_deviation;
   summary["residual"] = steady.residual;
-}
-
-void write_separatrix(RunContext& context, const char* name, const Separation& separation, double um_per_lu,
-                      const char* description) {
-  if (!separation.found) return;
-  const Eigen::MatrixX2d points = separation.streamline * um_per_lu;
-  context.out.write_matrix(std::string("/separatrix/") + name, points, "um", description);
 }
 
 template <class Real>
@@ -82,17 +76,12 @@ Status run(const Case& c, RunContext& context) {
 
   const PlaneField field =
       mid_plane(lattice, [&pillars](double x, double y) { return pillars.signed_distance(x, y); });
-  if (c.output.flow_field) write_plane_flow(context, field, l.um_per_lu);
-  if (pillars.empty() || c.geometry.row_shift_um == 0) return steady.status;
-  const PlaneFlow flow = field.flow(device.gap_line(), device.tilt());
-  const Separation downstream = separation_downstream(flow), upstream = separation_upstream(flow);
-  write_separatrix(context, "downstream", downstream, l.um_per_lu,
-                   "streamline that ends in the front stagnation point of the next pillar downstream");
-  write_separatrix(context, "upstream", upstream, l.um_per_lu,
-                   "streamline that leaves the rear stagnation point of the pillar upstream");
-  summary["separation_um"] = downstream.seed_distance * l.um_per_lu;
-  summary["separation_upper_um"] = upstream.seed_distance * l.um_per_lu;
-  summary["separation_shortest_um"] = downstream.minimum_distance * l.um_per_lu;
+  if (c.output.flow_field) write_plane_flow(context, field, physical_scales(c));
+  if (pillars.empty()) return steady.status;
+  write_pillars(context, pillars, {{-1, 0}, {-1, 1}, {0, 0}, {0, 1}, {1, 0}, {1, 1}}, 0.5 * l.depth,
+                l.um_per_lu);
+  if (c.geometry.row_shift_um != 0)
+    write_separations(context, separations(field.flow(device.gap_line(), device.tilt())), l.um_per_lu);
   return steady.status;
 }
 

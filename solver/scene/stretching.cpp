@@ -16,27 +16,16 @@
 #include "geometry/no_pillar.hpp"
 #include "output/interrupt.hpp"
 #include "parameters/consistency.hpp"
+#include "parameters/text.hpp"
 #include "parameters/work.hpp"
 #include "scene/coupled_state.hpp"
+#include "scene/membrane_output.hpp"
 #include "scene/monitor.hpp"
 #include "scene/registry.hpp"
 #include "scene/setup.hpp"
 
 namespace dld {
 namespace {
-
-/// Moduli for a given kS and radius, in the units of both.
-MembraneModuli stretching_moduli(const Case& c, double shear, double radius, bool with_volume) {
-  MembraneModuli m;
-  m.shear = shear;
-  m.skalak_denominator = c.cell.skalak_denominator;
-  m.local_area = c.cell.local_area_modulus * shear;
-  m.global_area = c.cell.global_area_modulus * shear;
-  m.volume = with_volume ? c.cell.volume_modulus * shear / radius : 0.0;
-  m.bending = c.cell.bending_ratio * shear * radius * radius;
-  m.bending_law = bending_law_by_name(c.cell.bending_law);
-  return m;
-}
 
 /// One row of the result: shape in um, extents, and how it was reached.
 struct Result {
@@ -92,7 +81,7 @@ std::vector<Result> stretch_static(const Case& c, Membrane& membrane, RunContext
       if (!shape.converged) status = Status::undecided;
     }
     if (context.progress.due())
-      context.progress.update(static_cast<double>(results.size()), std::to_string(force_pN) + " pN");
+      context.progress.update(static_cast<double>(results.size()), short_number(force_pN) + " pN");
     if (!shape.stopped && !context.save_timer.due()) continue;
     Checkpoint checkpoint(identity);
     save_results(results, checkpoint);
@@ -109,11 +98,11 @@ std::vector<Result> stretch_static(const Case& c, Membrane& membrane, RunContext
 }
 
 /// Box around the stretched cell: periodic along the pull and across it, mirror plane and one far wall.
-UnitCell quiescent_box(double radius) {
+UnitCell quiescent_box(const LatticeParameters& l) {
   UnitCell cell;
-  cell.nx = static_cast<int>(std::ceil(5.6 * radius));
-  cell.ny = static_cast<int>(std::ceil(4.0 * radius));
-  cell.nz = static_cast<int>(std::ceil(1.2 * radius));
+  cell.nx = l.nx;
+  cell.ny = l.ny;
+  cell.nz = l.nz;
   cell.height = HeightBoundary::mirror_and_wall;
   cell.origin_x = 0.5 - 0.5 * cell.nx;
   cell.origin_y = 0.5 - 0.5 * cell.ny;
@@ -124,13 +113,11 @@ UnitCell quiescent_box(double radius) {
 
 template <class Real>
 std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& status) {
-  const LatticeParameters l = to_lattice(c);
+  const LatticeParameters l = scene_lattice(c);
   constexpr double shear_lu = coupled_stretching_shear_modulus;
-  const TriangleMesh mesh = cell_mesh(c.cell, l.cell_radius);
-  const double reach = sized_by_radius(c.cell) ? l.cell_radius : mesh.vertices.cwiseAbs().maxCoeff();
-  Lattice<Real> lattice(quiescent_box(reach), make_fluid_model(c));
+  Lattice<Real> lattice(quiescent_box(l), make_fluid_model(c));
   lattice.set_threads(context.threads);
-  Membrane membrane(mesh, stretching_moduli(c, shear_lu, l.cell_radius, c.cell.volume_control == "penalty"));
+  Membrane membrane(cell_mesh(c.cell, l.cell_radius), make_moduli(c, l));
   const PillarArray no_pillars(std::make_shared<const NoPillar>(), lattice.cell().nx, lattice.cell().ny, 0.0);
   CouplingModel coupling = make_coupling_model(c);
   coupling.wall_height = lattice.cell().nz;  // the far wall; the mirror plane is z = 0
@@ -194,7 +181,7 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
       if (steps >= c.stop.max_steps) status = Status::undecided;
       if (status != Status::converged) break;
       if (context.progress.due()) {
-        context.progress.update(static_cast<double>(results.size()), std::to_string(force_pN) + " pN");
+        context.progress.update(static_cast<double>(results.size()), short_number(force_pN) + " pN");
       }
     }
     // Energy scales with kS dx^2: from lattice units to J.
@@ -210,34 +197,31 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
   return results;
 }
 
-void write_results(const Case& c, const TriangleMesh& reference_um, const std::vector<Result>& results,
+/// `membrane` in um and pN, so that its tensions are in uN/m.
+void write_results(const Case& c, const Membrane& membrane, const std::vector<Result>& results,
                    RunContext& context) {
   std::vector<double> force, axial, transverse, energy;
   std::vector<std::int64_t> iterations;
-  context.out.write_matrix("/membrane/faces", reference_um.faces, "1", "vertices of each triangle");
-  context.out.write_matrix("/membrane/reference", reference_um.vertices, "um", "stress-free shape");
-  XdmfMesh mesh;
-  mesh.n_faces = static_cast<std::size_t>(reference_um.faces.rows());
-  mesh.n_vertices = static_cast<std::size_t>(reference_um.vertices.rows());
+  MembraneOutput shapes(context.out, membrane, {.um = 1, .tension_uN_m = 1, .basis = {}});
   for (const Result& r : results) {
-    char name[48];
-    std::snprintf(name, sizeof name, "/membrane/force_%03d", static_cast<int>(force.size()));
-    context.out.write_matrix(std::string(name) + "/vertices", r.vertices_um, "um", "shape at rest");
-    context.out.attribute(name, "force_pN", r.force_pN);
-    mesh.snapshots.push_back({std::string(name) + "/vertices", r.force_pN});
+    char name[24];
+    std::snprintf(name, sizeof name, "force_%03d", static_cast<int>(force.size()));
+    const std::string group = shapes.write(name, r.vertices_um, r.force_pN, "shape at rest");
+    context.out.attribute(group, "force_pN", r.force_pN);
     force.push_back(r.force_pN);
     axial.push_back(r.axial_um);
     transverse.push_back(r.transverse_um);
     energy.push_back(r.energy_J);
     iterations.push_back(r.iterations);
   }
-  context.xdmf.mesh = mesh;
+  context.xdmf.series = shapes.series();
   context.out.write("/stretching/force_pN", force, "pN", "force on each end");
   context.out.write("/stretching/axial_um", axial, "um", "extent along the pull");
   context.out.write("/stretching/transverse_um", transverse, "um",
                     "extent across the pull, in the cell's plane");
   context.out.write("/stretching/energy_J", energy, "J", "elastic energy of the membrane");
-  context.out.write("/stretching/iterations", iterations, "1", "iterations of the minimiser, or time steps");
+  context.out.write("/stretching/iterations", iterations, "none",
+                    "iterations of the minimiser, or time steps");
   nlohmann::ordered_json& s = context.summary;
   s["skalak_denominator"] = c.cell.skalak_denominator;
   s["bending_law"] = c.cell.bending_law;
@@ -251,23 +235,26 @@ void write_results(const Case& c, const TriangleMesh& reference_um, const std::v
   for (const auto n : iterations) total += n;
   s["steps"] = total;
   if (!s.contains("node_updates")) s["node_updates"] = 0;
-  s["membrane_updates"] = total * reference_um.vertices.rows();
+  s["membrane_updates"] = total * membrane.vertex_count();
 }
 
 Status run_stretching(const Case& c, RunContext& context) {
   Status status = Status::converged;
-  const TriangleMesh mesh = cell_mesh(c.cell, c.cell.radius_um);
+  // um and pN: 1 uN/m = 1 pN/um.
+  Case at_rest = c;
+  at_rest.stretching.method = "static";
+  const LatticeParameters l = scene_lattice(at_rest);
+  MembraneModuli moduli = make_moduli(c, l);
+  moduli.volume = l.volume_modulus;  // nothing else keeps the volume of a shape at rest
+  Membrane membrane(cell_mesh(c.cell, c.cell.radius_um), moduli);
   std::vector<Result> results;
   if (c.stretching.method == "coupled") {
     results = with_precision(c, [&]<class Real>() { return stretch_coupled<Real>(c, context, status); });
   } else {
-    // um and pN: 1 uN/m = 1 pN/um.
-    Membrane membrane(mesh,
-                      stretching_moduli(c, c.stretching.shear_modulus_uN_per_m, c.cell.radius_um, true));
     results = stretch_static(c, membrane, context, status);
   }
   if (status == Status::interrupted) return status;
-  write_results(c, mesh, results, context);
+  write_results(c, membrane, results, context);
   return status;
 }
 

@@ -158,7 +158,8 @@ void whole_step(int refinement, bool half, int threads = 1, const CouplingParame
   Lattice<Real> lattice(make_unit_cell(c, device), make_fluid_model(c));
   lattice.set_uniform_force(l.force_density, 0, 0);
   lattice.set_threads(threads);
-  Membrane membrane(make_cell("red_blood_cell", c.cell.mesh_frequency, l.cell_radius), make_moduli(c));
+  Membrane membrane(make_cell("red_blood_cell", c.cell.mesh_frequency, l.cell_radius),
+                    make_moduli(c, to_lattice(c)));
   Eigen::MatrixX3d x = membrane.reference().vertices;
   x.col(1).array() += device.gap_line().middle();
   CoupledCell<Real> cell(lattice, membrane, device.pillars(), make_coupling_model(c), x);
@@ -219,7 +220,7 @@ void mesh_growth() {
     Case c;
     c.cell.mesh_frequency = frequency;
     const Membrane membrane(make_cell("red_blood_cell", frequency, to_lattice(c).cell_radius),
-                            make_moduli(c));
+                            make_moduli(c, to_lattice(c)));
     MembraneForces step_forces = membrane.step_forces(MirrorSymmetry::about_z);
     Eigen::MatrixX3d f = membrane.reference().vertices, g = f;
     const double time = seconds([&] { step_forces.forces(membrane.reference().vertices, f, g); });

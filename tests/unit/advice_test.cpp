@@ -104,6 +104,8 @@ struct Change {
   void operator()(long* x) const { *x = *x + 1; }
   void operator()(bool* x) const { *x = !*x; }
   void operator()(std::vector<double>* x) const { x->push_back(1); }
+  void operator()(std::optional<double>* x) const { *x = 0.9 * x->value_or(32); }
+  void operator()(std::optional<PillarValues>* x) const { *x = PillarValues{"circle", {{"radius_um", {7}}}}; }
   void operator()(std::string* x) const {
     for (const std::string& name : allowed.names) {
       if (name == *x) continue;
@@ -243,7 +245,7 @@ TEST(Syntax, RefusesDeepNestingWithoutAStackOfItsOwn) {
 
 TEST(Headline, SaysWhichDeviceCellAndCapillaryNumberIsTaken) {
   const std::string line = headline(parse_case(R"({"scene": "passage"})", "c"));
-  for (const char* part : {"circle R = 10 um", "pitch 32 um", "epsilon 0.1875", "depth 4.8 um",
+  for (const char* part : {"circle, radius 10 um", "pitch 32 um", "epsilon 0.1875", "depth 4.8 um",
                            "red_blood_cell", "r = 3.9 um", "Ca = 0.5", "dx = 0.4 um", "standard"})
     EXPECT_TRUE(contains(line, part)) << line;
   const std::string shear = headline(parse_case(R"({"scene": "shear", "cell": {"radius_um": 3}})", "c"));

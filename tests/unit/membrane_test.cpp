@@ -253,6 +253,26 @@ TEST(Skalak, SmallStrainShearModulus) {
   }
 }
 
+// The work of the principal tensions is the change of the energy: dE = A (t1 d ln l1 + t2 d ln l2), for a
+// triangle that is stretched by l1 along x and l2 along y.
+TEST(Skalak, TensionsDoTheWorkOfTheEnergy) {
+  const Vec3 a{1.1, 0, 0}, b{0.4, 0.9, 0};
+  const ReferenceTriangle ref = reference_triangle(a, b);
+  const SkalakModuli moduli{5.3 / 12, 30.0 / 12};
+  const auto energy = [&](double l1, double l2) {
+    return skalak_energy(ref, moduli, {l1 * a.x, l2 * a.y, 0}, {l1 * b.x, l2 * b.y, 0});
+  };
+  for (const auto& [l1, l2] : {std::pair{1.3, 0.9}, {1.05, 1.2}, {1.0, 1.0}}) {
+    const double area = ref.area * l1 * l2, h = 1e-6;
+    const double t1 = (energy(l1 + h, l2) - energy(l1 - h, l2)) / (2 * h) * l1 / area;
+    const double t2 = (energy(l1, l2 + h) - energy(l1, l2 - h)) / (2 * h) * l2 / area;
+    const FaceTensions t =
+        skalak_tensions(ref, moduli, 0.7, {l1 * a.x, l2 * a.y, 0}, {l1 * b.x, l2 * b.y, 0});
+    EXPECT_NEAR(t.mean, 0.5 * (t1 + t2) + 0.7, 1e-8);
+    EXPECT_NEAR(t.shear, 0.5 * std::abs(t1 - t2), 1e-7);
+  }
+}
+
 TEST(Bending, Atan2) {
   for (int i = -2000; i <= 2000; ++i) {
     const double angle = i * std::numbers::pi / 2000.5;
@@ -307,6 +327,19 @@ TEST(Membrane, MeasuresUniformGrowth) {
 }
 
 /// Stretching along x alone, by a factor of 2: faces across x grow least, those along it most.
+// Grown by 1 + g: area strain (1 + g)^2 - 1 everywhere, the tension of Skalak's law and of the whole area.
+TEST(Membrane, FaceFieldsOfUniformGrowth) {
+  const Membrane membrane(make_cell("red_blood_cell", 6, radius), all_terms);
+  const double g = 1e-4, strain = (1 + g) * (1 + g) - 1;
+  const FaceFields fields = membrane.face_fields(membrane.reference().vertices * (1 + g));
+  const double modulus = 4 * all_terms.shear / 12 + 2 * all_terms.local_area / 3 + all_terms.global_area;
+  for (Eigen::Index f = 0; f < membrane.face_count(); ++f) {
+    EXPECT_NEAR(fields.area_strain(f), strain, 1e-10);
+    EXPECT_NEAR(fields.mean_tension(f), modulus * strain, 1e-3 * modulus * strain);
+    EXPECT_NEAR(fields.shear_tension(f), 0, 1e-6);
+  }
+}
+
 TEST(Membrane, MeasuresTheExtremeFaces) {
   Membrane membrane(sphere(8, radius), {});
   Eigen::MatrixX3d x = membrane.reference().vertices;

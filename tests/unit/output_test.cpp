@@ -57,9 +57,9 @@ TEST_F(Output, ArraysOfEveryTypeComeBack) {
     Hdf5File file(path);
     file.write("/d", std::vector<double>{1.5, -2}, "um", "doubles");
     file.write("/a/b/f", std::vector<float>{0.25f}, "lu", "floats");
-    file.write("/i", std::vector<std::int32_t>{-7, 8}, "1", "integers");
-    file.write("/l", std::vector<std::int64_t>{std::int64_t{1} << 40}, "1", "long integers");
-    file.write("/u", std::vector<std::uint8_t>{0, 255}, "1", "flags");
+    file.write("/i", std::vector<std::int32_t>{-7, 8}, "none", "integers");
+    file.write("/l", std::vector<std::int64_t>{std::int64_t{1} << 40}, "none", "long integers");
+    file.write("/u", std::vector<std::uint8_t>{0, 255}, "none", "flags");
     file.write("/empty", std::vector<double>{}, "um", "nothing");
     file.write_scalar("/s", 3.25, "um", "a number");
     file.close();
@@ -88,7 +88,7 @@ TEST_F(Output, MatricesAreWrittenByRows) {
   {
     Hdf5File file(path);
     file.write_matrix("/membrane/reference", vertices, "um", "vertices");
-    file.write_matrix("/membrane/faces", Eigen::MatrixX3i::Constant(4, 3, 9), "1", "faces");
+    file.write_matrix("/membrane/faces", Eigen::MatrixX3i::Constant(4, 3, 9), "none", "faces");
     file.close();
   }
   const Hdf5Reader file(path);
@@ -119,7 +119,7 @@ TEST_F(Output, AnUnfinishedFileLeavesNothing) {
   const fs::path path = folder_ / "unfinished.h5";
   {
     Hdf5File file(path);
-    file.write_scalar("/x", 1.0, "1", "x");
+    file.write_scalar("/x", 1.0, "none", "x");
     EXPECT_TRUE(fs::exists(path.string() + ".part"));
     EXPECT_FALSE(fs::exists(path));
   }
@@ -130,10 +130,10 @@ TEST_F(Output, RefusesWhatCannotBeWritten) {
   EXPECT_THROW(Hdf5File(folder_ / "no" / "such" / "folder.h5"), IoError);
   Hdf5File file(folder_ / "refuse.h5");
   const std::vector<double> values{1, 2, 3};
-  EXPECT_THROW(file.write("/x", std::span<const double>(values), {2, 2}, "1", "wrong shape"), IoError);
-  EXPECT_THROW(file.write("x", values, "1", "no slash"), IoError);
-  file.write("/x", values, "1", "x");
-  EXPECT_THROW(file.write("/x", values, "1", "twice"), IoError);
+  EXPECT_THROW(file.write("/x", std::span<const double>(values), {2, 2}, "none", "wrong shape"), IoError);
+  EXPECT_THROW(file.write("x", values, "none", "no slash"), IoError);
+  file.write("/x", values, "none", "x");
+  EXPECT_THROW(file.write("/x", values, "none", "twice"), IoError);
 }
 
 TEST_F(Output, CheckpointComesBack) {
@@ -196,29 +196,58 @@ TEST_F(Output, DamagedCheckpointIsPutAsideForTheOneBefore) {
   EXPECT_FALSE(Checkpoint::load(path, "case", log).has_value());
 }
 
+XdmfGrid sample_grid(const std::string& name) {
+  return {
+      .name = name,
+      .points = "/" + name + "/points",
+      .cells = "/cells",
+      .n_points = 12,
+      .n_cells = 20,
+      .fields = {{.name = "strain", .dataset = "/" + name + "/strain", .centre = XdmfField::Centre::cell}}};
+}
+
 TEST_F(Output, XdmfNamesTheDatasets) {
-  XdmfDescription description;
-  description.mesh =
-      XdmfMesh{.n_faces = 20, .n_vertices = 12, .snapshots = {{"/membrane/a", 1}, {"/membrane/b", 2.5}}};
-  description.flow = XdmfFlow{.nx = 3, .ny = 2, .x0_um = -0.4, .y0_um = -0.2, .spacing_um = 0.4};
-  write_xdmf(folder_ / "run.h5", description);
+  const XdmfDescription description{
+      .series = {{sample_grid("a"), 1}, {sample_grid("b"), 2.5}, {sample_grid("twice"), 2.5}},
+      .fixed = {sample_grid("pillars")}};
+  EXPECT_TRUE(write_xdmf(folder_ / "run.h5", description));
   const std::string text = bytes(folder_ / "run.xdmf");
-  for (const char* part : {"run.h5:/membrane/a", "run.h5:/membrane/b", "<Time Value=\"2.5\"/>",
-                           "run.h5:/flow/points_um", "Dimensions=\"3 2 3\""}) {
+  for (const char* part :
+       {">run.h5:/a/points<", ">run.h5:/b/strain<", "<Time Value=\"2.5\"/>", ">run.h5:/cells<",
+        "Dimensions=\"12 3\"", "Dimensions=\"20 3\"", "Dimensions=\"20\""}) {
     EXPECT_NE(text.find(part), std::string::npos) << part;
   }
+  EXPECT_EQ(text.find("twice"), std::string::npos) << "readers want one shape at a time";
   EXPECT_EQ(text.find(folder_.string()), std::string::npos);
-  {
-    Hdf5File file(folder_ / "run.h5");
-    write_flow_points(file, *description.flow);
-    file.close();
-  }
-  const auto points = Hdf5Reader(folder_ / "run.h5").read<double>("/flow/points_um");
-  ASSERT_EQ(points.size(), 18u);
-  EXPECT_DOUBLE_EQ(points[4 * 3], -0.4 + 2 * 0.4);  // node (2, 0)
-  EXPECT_DOUBLE_EQ(points[5 * 3 + 1], 0.2);         // node (2, 1)
-  write_xdmf(folder_ / "empty.h5", {});
-  EXPECT_FALSE(fs::exists(folder_ / "empty.xdmf"));
+  EXPECT_EQ(bytes(folder_ / "run.pillars.xdmf").find("Collection"), std::string::npos);
+}
+
+TEST_F(Output, XdmfOfARunWithNothingToShowIsRemoved) {
+  write_xdmf(folder_ / "run.h5", {.series = {}, .fixed = {sample_grid("pillars")}});
+  EXPECT_TRUE(fs::exists(folder_ / "run.pillars.xdmf"));
+  write_xdmf(folder_ / "run.h5", {});
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(Output, XdmfEscapesNamesAndRefusesAColon) {
+  const XdmfDescription description{.series = {{sample_grid("a"), 1}}, .fixed = {}};
+  EXPECT_TRUE(write_xdmf(folder_ / "a & b <1>.h5", description));
+  EXPECT_NE(bytes(folder_ / "a & b <1>.xdmf").find(">a &amp; b &lt;1&gt;.h5:/a/points<"), std::string::npos);
+  EXPECT_FALSE(write_xdmf(folder_ / "a:b.h5", description));
+  EXPECT_FALSE(fs::exists(folder_ / "a:b.xdmf"));
+}
+
+TEST_F(Output, PhysicalUnitsAreAttributes) {
+  Hdf5File file(folder_ / "units.h5");
+  file.write("/v", std::vector<double>{0.01}, "lu", "a velocity");
+  file.physical("/v", "mm/s", 250);
+  file.write("/w", std::vector<double>{0.01}, "lu", "one without a scale");
+  file.physical("/w", "mm/s", 0);
+  file.close();
+  const Hdf5Reader reader(folder_ / "units.h5");
+  EXPECT_EQ(reader.text_attribute("/v", "physical_unit"), "mm/s");
+  EXPECT_EQ(reader.text_attributes("/v").size(), 4u);
+  EXPECT_EQ(reader.text_attributes("/w").size(), 2u);
 }
 
 TEST(ProgressText, Durations) {

@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
+#include <numbers>
 
 #include "geometry/circle.hpp"
 #include "geometry/no_pillar.hpp"
 #include "geometry/pillar_array.hpp"
+#include "geometry/pillar_surface.hpp"
 
 namespace dld {
 namespace {
@@ -84,6 +88,31 @@ TEST(PillarArray, NoPillarIsInfinitelyFar) {
   EXPECT_FALSE(circles(radius).empty());
   EXPECT_GT(none.signed_distance(3, 4), 1e100);
   EXPECT_EQ(none.normal(3, 4)[0], 0.0);
+}
+
+// Every vertex of the wall is on the pillar, every edge of its triangles belongs to two of them but for the
+// rims, and the area is that of the cylinder.
+TEST(PillarWall, IsTheWallOfTheCylinder) {
+  const double half_height = 6;
+  const Surface wall = pillar_wall(Circle(radius), half_height);
+  for (const auto& v : wall.vertices.rowwise()) {
+    EXPECT_NEAR(std::hypot(v(0), v(1)), radius, 1e-9);
+    EXPECT_EQ(std::abs(v(2)), half_height);
+  }
+  double area = 0;
+  std::map<std::pair<int, int>, int> edges;
+  for (const auto& t : wall.triangles.rowwise()) {
+    const Eigen::RowVector3d a = wall.vertices.row(t(1)) - wall.vertices.row(t(0));
+    const Eigen::RowVector3d b = wall.vertices.row(t(2)) - wall.vertices.row(t(0));
+    area += 0.5 * a.cross(b).norm();
+    for (int k = 0; k < 3; ++k) ++edges[std::minmax<int>({t(k), t((k + 1) % 3)})];
+  }
+  EXPECT_NEAR(area, 2 * std::numbers::pi * radius * 2 * half_height, 1e-3 * area);
+  for (const auto& [edge, count] : edges) {
+    const bool rim = wall.vertices(edge.first, 2) == wall.vertices(edge.second, 2);
+    EXPECT_EQ(count, rim ? 1 : 2);
+  }
+  EXPECT_EQ(pillar_wall(NoPillar(), half_height).vertices.rows(), 0);
 }
 
 }  // namespace

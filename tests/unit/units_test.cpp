@@ -2,7 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "parameters/check_text.hpp"
+#include "parameters/physical.hpp"
+#include "parameters/report.hpp"
 
 namespace dld {
 namespace {
@@ -120,6 +126,79 @@ TEST(Units, NoGapGivesNoScales) {
   const SiScales si = to_si(c);
   EXPECT_TRUE(std::isfinite(si.velocity_m_per_s_per_lu));
   EXPECT_TRUE(std::isfinite(si.time_step_s));
+}
+
+Case case_of_scene(const std::string& scene, const std::string& method = "static") {
+  Case c;
+  c.scene = scene;
+  c.stretching.method = method;
+  return c;
+}
+
+// The numbers that a scene states are those that it simulates.
+TEST(SceneLattice, StretchingAndShearHaveModuliOfTheirOwn) {
+  const LatticeParameters still = scene_lattice(case_of_scene("stretching"));
+  EXPECT_DOUBLE_EQ(still.shear_modulus, 5.3);  // uN/m
+  EXPECT_DOUBLE_EQ(still.local_area_modulus / still.shear_modulus, 28.876);
+  const Case coupled = case_of_scene("stretching", "coupled");
+  EXPECT_DOUBLE_EQ(scene_lattice(coupled).shear_modulus, coupled_stretching_shear_modulus);
+  const Case shear = case_of_scene("shear");
+  const LatticeParameters l = scene_lattice(shear);
+  EXPECT_NEAR(l.viscosity * l.shear_rate * l.cell_radius / l.shear_modulus, 0.02, 1e-15);
+  EXPECT_EQ(l.nx, 80);  // the box of 32 um
+  EXPECT_EQ(dimensionless_numbers(case_of_scene("stretching"))["local_area_per_shear_modulus"], 28.876);
+  EXPECT_EQ(dimensionless_numbers(shear)["capillary_number"], 0.02);
+  EXPECT_EQ(dimensionless_numbers(Case{})["local_area_per_shear_modulus"], 28.876 * 0.5);
+}
+
+// Stokes flow: a tension and a velocity fix each other, tension = eta velocity, in both systems of units.
+TEST(PhysicalScales, AreConsistent) {
+  for (const Case& c : {Case{}, case_of_scene("streamlines"), case_of_scene("shear"),
+                        case_of_scene("stretching", "coupled")}) {
+    const PhysicalScales s = physical_scales(c);
+    const LatticeParameters l = scene_lattice(c);
+    EXPECT_NEAR(s.velocity_mm_s * s.time_step_s, 1e-3 * s.um, 1e-12 * s.um) << c.scene;
+    EXPECT_NEAR(s.tension_uN_m * l.viscosity, 1e6 * plasma_viscosity_Pa_s * 1e-3 * s.velocity_mm_s,
+                1e-9 * s.tension_uN_m * l.viscosity)
+        << c.scene;
+  }
+  const Case passage;
+  EXPECT_NEAR(physical_scales(passage).tension_uN_m * to_lattice(passage).shear_modulus, 5.3, 1e-9);
+  EXPECT_EQ(physical_scales(case_of_scene("stretching")).time_step_s, 0);
+}
+
+TEST(PhysicalScales, OfASummaryStandBesideTheLatticeValues) {
+  const nlohmann::ordered_json summary = {{"max_speed", 0.01}, {"speed_um_per_step", nullptr}};
+  const auto physical =
+      physical_summary(summary, {.um = 0.4, .time_step_s = 1e-6, .velocity_mm_s = 400, .basis = {}});
+  EXPECT_DOUBLE_EQ(physical["max_speed_mm_per_s"].get<double>(), 4);
+  EXPECT_FALSE(physical.contains("speed_mm_per_s"));
+  EXPECT_TRUE(physical_summary(summary, {}).empty());
+}
+
+TEST(CheckText, NumbersHaveThreeDigitsAndNoUnitOne) {
+  EXPECT_EQ(quantity_text(0.0123456, "lu"), "0.0123 lu");
+  EXPECT_EQ(quantity_text(12345, ""), "12300");
+  EXPECT_EQ(quantity_text(999.96, ""), "1000");
+  EXPECT_EQ(quantity_text(-4567, "um"), "-4570 um");
+  EXPECT_EQ(quantity_text(0, ""), "0");
+  EXPECT_EQ(quantity_text(1.23456e-6, "s"), "1.23e-06 s");
+}
+
+// About ten lines, and those of the scene: a stretching case once stated an area modulus of 14.4 kS
+// where 28.9 is used, a shear case Ca 0.5 where 0.02 is used.
+TEST(CheckText, StatesTheNumbersOfTheScene) {
+  const std::pair<Case, std::vector<std::string>> expected[] = {
+      {Case{}, {"gap 12 um", "Ca 0.5", "area modulus 14.4 kS", "80 x 80 x 6", "of what is allowed"}},
+      {case_of_scene("stretching"), {"area modulus 28.9 kS", "shear modulus kS 5.3 uN/m", "0 to 200 pN"}},
+      {case_of_scene("shear"), {"Ca 0.02", "area modulus 28.9 kS", "80 x 80 x 80"}},
+      {case_of_scene("channel"), {"plane channel, depth 4.8 um"}},
+      {case_of_scene("streamlines"), {"cell      none", "row shift d = 6 um"}}};
+  for (const auto& [c, parts] : expected) {
+    const std::string text = check_text(c);
+    EXPECT_EQ(std::ranges::count(text, '\n'), 10);
+    for (const auto& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ def test_a_run_whose_caller_was_killed_is_waited_for_and_not_made_twice(folder):
     assert "still solves this run: waiting" in second.communicate(timeout=60)[1]
     assert second.returncode == 0
     assert (folder / "count").read_text() == "run\n"
-    assert failures.status_of(folder / "summary.json") == "zigzag"
+    assert failures.stated_status(folder / "summary.json") == "zigzag"
 
 
 @pytest.mark.parametrize("status", [2, 4, 139])

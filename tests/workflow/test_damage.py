@@ -7,7 +7,7 @@ import subprocess
 import h5py
 import pytest
 from short_passage import DLD, needs_solver
-from study import solve
+from study.analysis import solve
 from study.analysis.measured import read_measured
 from study.analysis.runs import DamagedRun, Run, checked_summary, seal_holds
 from study.analysis.spot_check import asked

@@ -48,7 +48,7 @@ def test_a_run_says_first_what_it_takes(case, tmp_path):
     ran = solver("run", case, tmp_path / "run.h5")
     first = ran.stderr.splitlines()[0]
     assert first == (
-        "streamlines: circle R = 10 um, pitch 32 um, d = 6.4 um (epsilon 0.2), depth 6.4 um; "
+        "streamlines: circle, radius 10 um, pitch 32 um, d = 6.4 um (epsilon 0.2), depth 6.4 um; "
         "dx = 1.6 um (standard)"
     )
 

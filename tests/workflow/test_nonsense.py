@@ -93,7 +93,7 @@ def test_the_slip_is_that_of_the_channel(tmp_path):
     case = {"scene": "channel", "fluid": {"magic_parameter": 2, "precision": "double", "force_density": 1e-5}}
     done = solver(tmp_path, case)
     assert done.returncode == 0, done.stderr
-    margins = json.loads(solver(tmp_path, case, command="check").stdout)["margins"]
+    margins = json.loads(solver(tmp_path, case, "--json", command="check").stdout)["margins"]
     (slip,) = (margin["value"] for margin in margins if margin["name"].startswith("slip"))
     # The summary's slip is over the speed in the middle, 3/2 of the mean.
     assert summary_of(tmp_path)["slip"] * 1.5 == pytest.approx(slip, rel=0.02)
@@ -176,7 +176,7 @@ def test_running_out_of_memory_names_the_need(tmp_path):
 
 def test_the_memory_that_is_told_is_taken(tmp_path):
     case = merged(BIG["streamlines"], {"stop": {"max_steps": 2}, "output": {"flow_field": False}})
-    report = json.loads(solver(tmp_path, case, "--force", command="check").stdout)
+    report = json.loads(solver(tmp_path, case, "--json", "--force", command="check").stdout)
     words = [DLD, "run", tmp_path / "case.json", tmp_path / "run.h5", "--force"]
     with subprocess.Popen(words, stderr=subprocess.DEVNULL) as running:
         _, _, used = os.wait4(running.pid, 0)

@@ -14,7 +14,7 @@ from study.analysis.software import libraries, locked_packages, software_list
 from study.planning import plan, requests
 from study.planning.points import merged
 
-LOCKS = ("requirements", "requirements-build", "requirements-cluster")
+LOCKS = ("requirements", "requirements-build", "requirements-cluster", "requirements-test")
 
 
 def text(path):

@@ -245,7 +245,7 @@ def test_settings_that_are_known_to_fail_are_refused_unless_forced(tmp_path):
 
 @needs_solver
 def test_check_reports_the_margin_to_every_limit_and_the_preset(tmp_path):
-    report = json.loads(solver("check", write_case(tmp_path)).stdout)
+    report = json.loads(solver("check", "--json", write_case(tmp_path)).stdout)
     assert len(report["margins"]) > 5
     for margin in report["margins"]:
         assert margin["used_share"] > 0 and margin["ok"], margin
@@ -281,7 +281,7 @@ def critical_capillary_percent(preset):
 def test_the_expected_error_of_a_preset_is_that_of_the_table(tmp_path, name):
     case = tmp_path / "case.json"
     case.write_text(json.dumps({"scene": "passage", "accuracy": name}), encoding="utf-8")
-    stated = json.loads(solver("check", case).stdout)["accuracy"]["expected_error"]
+    stated = json.loads(solver("check", "--json", case).stdout)["accuracy"]["expected_error"]
     table = pd.read_csv(ROOT / "results/tables/accuracy_cost.csv")
     rows = table[(table.method == "preset") & (table.setting == name) & (table.point == "all")]
     measured = 100 * rows.set_index("error_kind").error

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from study.analysis.runs import DamagedRun, checked_summary
 from study.planning.classes import DECIDED
-from study.planning.failures import FAILED, status_of
+from study.planning.failures import FAILED, stated_status
 from study.planning.plan import run_id
 
 FINISHED = (*DECIDED, "undecided", "diverged", "converged")
@@ -22,8 +22,8 @@ def status_in(folder):
     summary = folder / "summary.json"
     if not summary.exists():
         return None
-    if (status := status_of(summary)) == FAILED:
-        return status
+    if stated_status(summary) == FAILED:
+        return FAILED
     try:
         status = checked_summary(folder)["status"]
     except DamagedRun as problem:

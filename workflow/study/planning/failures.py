@@ -9,14 +9,17 @@ FAILED = "failed"
 WITHOUT_NUMBERS = ("diverged", FAILED)
 
 
-def status_of(summary):
-    """Status in a summary; FAILED where the file cannot be read."""
+def stated_status(summary):
+    """Status that a summary states; None where it cannot be read."""
     try:
         return json.loads(Path(summary).read_text(encoding="utf-8"))["status"]
-    except FileNotFoundError:
+    except (FileNotFoundError, ValueError, KeyError, TypeError):
         return None
-    except (ValueError, KeyError, TypeError):
-        return FAILED
+
+
+def status_of(summary):
+    """The same, but FAILED where the file is there and cannot be read."""
+    return stated_status(summary) or (FAILED if Path(summary).exists() else None)
 
 
 def failed_runs(runs, folder):
