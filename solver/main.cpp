@@ -16,6 +16,7 @@
 #include "output/interrupt.hpp"
 #include "output/provenance.hpp"
 #include "parameters/limits.hpp"
+#include "parameters/operating.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/report.hpp"
@@ -182,6 +183,7 @@ int check(const std::string& case_file, bool force) {
                        {"lattice", lattice_numbers(c)},
                        {"dimensionless", dimensionless_numbers(c)},
                        {"si", si_numbers(c)},
+                       {"operating", operating_json(c)},
                        {"memory_MiB", memory_bytes(c) / (1024 * 1024)},
                        {"expected_cost", expected_cost(c)},
                        {"margins", margins_json(stability_margins(c))}};

@@ -5,7 +5,9 @@
 #include <numbers>
 
 #include "membrane/bending_law.hpp"
+#include "parameters/flow_estimate.hpp"
 #include "parameters/scene_rules.hpp"
+#include "parameters/text.hpp"
 #include "parameters/units.hpp"
 
 namespace dld {
@@ -147,22 +149,39 @@ void contact_margins(const Case& c, std::vector<Margin>& margins) {
 }
 
 void flow_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>& margins) {
-  // Twice the mean of an empty slit, f H^2 / (12 nu): between the pillars the flow is not faster.
-  const double speed = 2 * l.force_density * l.depth * l.depth / (12 * l.viscosity);
+  // Shallow: twice the mean of an empty slit, f H^2 / (12 nu); between the pillars the flow is not faster.
+  // Deep: the estimate for the device.
+  const FlowEstimate flow = estimate_flow(c);
+  const bool shallow = is_shallow(c);
+  const double slit = 2 * l.force_density * l.depth * l.depth / (12 * l.viscosity);
+  const double speed = shallow ? slit : flow.largest_speed;
   const double density = 3 * l.force_density * l.nx;
   const std::string slower = "reduce /fluid/force_density";
-  margins.push_back(below("largest speed 2 f H^2 / (12 nu)", speed, speed_limit, "lu", slower));
+  margins.push_back(
+      below(shallow ? "largest speed 2 f H^2 / (12 nu)" : "largest speed", speed, speed_limit, "lu", slower));
   margins.push_back(below("largest speed, for accuracy", speed, accurate_speed_limit, "lu", slower, false));
   margins.push_back(below("density variation 3 f lambda", density, density_limit, "1", slower));
   margins.push_back(
       below("density variation, for accuracy", density, accurate_density_limit, "1", slower, false));
   if (c.scene == "passage" && c.fluid.equilibrium == "full") {
-    margins.push_back(below("Reynolds number", 0.5 * speed * l.length_scale / l.viscosity, inertia_limit, "1",
+    const double mean = shallow ? 0.5 * slit : flow.mean_speed;
+    margins.push_back(below("Reynolds number", mean * l.length_scale / l.viscosity, inertia_limit, "1",
                             slower + ", or raise /fluid/relaxation_time"));
   }
   if (c.scene == "passage" && c.fluid.collision == "bgk") {
     margins.push_back(above("relaxation time - 1/2, BGK", c.fluid.relaxation_time - 0.5, bgk_relaxation_limit,
                             "1", "raise /fluid/relaxation_time, or use trt"));
+  }
+  if (flow.lateral_share > 0) {
+    const double epsilon = c.geometry.row_shift_um / c.geometry.pitch_um;
+    const double loss = 1 - separation_ratio(epsilon, flow.lateral_share);
+    margins.push_back(
+        below("lateral flow, share of epsilon", flow.lateral_share, lateral_share_limit, "1",
+              "the flow drifts along with the rows, which makes the separation distance s about " +
+                  number_text(std::round(100 * loss)) +
+                  " per cent smaller than between side walls: use blocked for /fluid/lateral_flow "
+                  "where the device has side walls",
+              false));
   }
   margins.push_back(below("row shift / pitch", c.geometry.row_shift_um / c.geometry.pitch_um, row_shift_limit,
                           "1", "mirror the array: a shift d is a shift pitch - d to the other side", false));

@@ -8,6 +8,7 @@
 
 #include "parameters/consistency.hpp"
 #include "parameters/declaration.hpp"
+#include "parameters/operating.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/syntax.hpp"
 #include "parameters/text.hpp"
@@ -123,6 +124,10 @@ std::vector<std::string> known_names(const std::string& section) {
     if (declaration.section == section) names.emplace_back(declaration.name);
   }
   if (section == "geometry") names.emplace_back(epsilon_declaration().name);
+  if (section.empty()) names.emplace_back("operating");
+  if (section == "operating") {
+    for (const auto& key : operating_declarations()) names.emplace_back(key.declaration.name);
+  }
   for (const auto& other : sections()) {
     const auto slash = other.rfind('/');
     const std::string parent = slash == std::string::npos ? "" : other.substr(0, slash);
@@ -167,6 +172,17 @@ std::optional<double> read_epsilon(const Json& geometry, std::vector<Problem>& p
   return Store(epsilon_declaration(), geometry["epsilon"], problems).checked_number("a number");
 }
 
+// The section whose keys have no defaults.
+void read_operating(const Json& root, Case& c, std::vector<Problem>& problems) {
+  const Json* object = section_object(root, "operating", problems);
+  if (!object) return;
+  for (const auto& [declaration, member] : operating_declarations()) {
+    if (!object->contains(declaration.name)) continue;
+    const Json& value = object->at(std::string(declaration.name));
+    c.operating.*member = Store(declaration, value, problems).checked_number("a number");
+  }
+}
+
 // Puts the settings of the case's preset in place of the defaults; a wrong name is reported with the others.
 void apply_preset(const Json& root, Case& c) {
   std::string name = c.accuracy;
@@ -209,9 +225,12 @@ Reading read_tree(const Json& root) {
     }
     if (section == "geometry") epsilon = read_epsilon(*object, problems);
   }
+  read_operating(root, c, problems);
   if (!problems.empty()) return reading;
   if (epsilon) c.geometry.row_shift_um = *epsilon * c.geometry.pitch_um;
   problems = inconsistencies(c);
+  const Json::json_pointer capillary_number("/cell/capillary_number");
+  if (problems.empty()) resolve_operating(c, root.contains(capillary_number), problems);
   return reading;
 }
 

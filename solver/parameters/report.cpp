@@ -52,8 +52,8 @@ Json dimensionless_numbers(const Case& c) {
 
 Json si_numbers(const Case& c) {
   const SiScales si = to_si(c);
-  return {{"viscosity_Pa_s", plasma_viscosity_Pa_s},
-          {"shear_modulus_N_per_m", healthy_shear_modulus_N_per_m},
+  return {{"viscosity_Pa_s", viscosity_Pa_s(c)},
+          {"shear_modulus_N_per_m", shear_modulus_N_per_m(c)},
           {"fold_modulus_N_m", fold_modulus_N_m(c)},
           {"pressure_gradient_bar_per_m", si.pressure_gradient_Pa_per_m * 1e-5},
           {"velocity_mm_per_s_per_lu", si.velocity_m_per_s_per_lu * 1e3},

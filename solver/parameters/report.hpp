@@ -14,7 +14,8 @@ nlohmann::ordered_json lattice_numbers(const Case& c);
 /// epsilon, Ca, the moduli in units of kS, confinement, Re of the empty slit, mesh edge / dx.
 nlohmann::ordered_json dimensionless_numbers(const Case& c);
 
-/// SI numbers for water-like fluid (1 mPa s) and a healthy cell (5.3 uN/m).
+/// SI scales for the fluid and the membrane of /operating, or else water-like plasma (1 mPa s) and a healthy
+/// cell (5.3 uN/m).
 nlohmann::ordered_json si_numbers(const Case& c);
 
 /// What a run will cost: steps (of a passage also per pillar row), node updates, updates of membrane vertices

@@ -1,5 +1,6 @@
 #include "parameters/resolve.hpp"
 
+#include "parameters/operating.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/report.hpp"
 #include "parameters/scene_rules.hpp"
@@ -45,6 +46,7 @@ Json resolved_json(const Json& root) {
   answer["expected_to_diverge"] = expected_to_diverge(margins);
   answer["memory_bytes"] = memory_bytes(c);
   answer["expected_cost"] = expected_cost(c);
+  answer["operating"] = operating_json(c);
   return answer;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "parameters/declaration.hpp"
+#include "parameters/operating.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/scene_rules.hpp"
@@ -92,6 +93,19 @@ Json case_schema() {
     section_schema(root, declaration.section)["properties"][std::string(declaration.name)] =
         property(declaration, defaults);
   }
+  // Optional, without defaults: a case that does not have it stays what it was.
+  Json& operating = section_schema(root, "operating");
+  operating["description"] =
+      "operating conditions in SI units: one drive, from which the capillary number is computed; the case "
+      "then "
+      "gives none itself";
+  for (const auto& [declaration, member] : operating_declarations()) {
+    operating["properties"][std::string(declaration.name)] = property(declaration, defaults);
+  }
+  operating["dependentRequired"] = {{"pressure_drop_mbar", {"length_mm"}},
+                                    {"length_mm", {"pressure_drop_mbar"}},
+                                    {"flow_rate_uL_per_min", {"channel_width_um"}},
+                                    {"channel_width_um", {"flow_rate_uL_per_min"}}};
   // An annotation: the defaults that each preset puts in place of those stated below.
   Json& annotation = root["properties"]["accuracy"]["x-presets"];
   for (const auto& p : presets()) annotation[p.name] = p.settings;

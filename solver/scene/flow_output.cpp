@@ -2,6 +2,9 @@
 
 #include <vector>
 
+#include "parameters/flow_estimate.hpp"
+#include "parameters/operating.hpp"
+
 namespace dld {
 
 void write_plane_flow(RunContext& context, const PlaneField& field, double um_per_lu) {
@@ -25,6 +28,17 @@ void write_plane_flow(RunContext& context, const PlaneField& field, double um_pe
   context.out.write("/flow/solid", std::span<const std::uint8_t>(solid), {nx, ny}, "1",
                     "1 on the nodes inside the pillar");
   context.xdmf.flow = XdmfFlow{nx, ny, x_um.front(), y_um.front(), um_per_lu, 8};
+}
+
+void summarise_mean_flow(const Case& c, double mean_velocity, double lateral_velocity,
+                         nlohmann::ordered_json& summary) {
+  const double epsilon = c.geometry.row_shift_um / c.geometry.pitch_um;
+  const double share = epsilon > 0 ? lateral_velocity / mean_velocity / epsilon : 0;
+  if (share > lateral_share_limit) {
+    summary["lateral_share_of_epsilon"] = share;
+    summary["separation_over_blocked"] = separation_ratio(epsilon, share);
+  }
+  if (operating_given(c)) summary["operating"] = operating_summary(c, mean_velocity);
 }
 
 }  // namespace dld

@@ -19,6 +19,7 @@
 #include "measure/return_map.hpp"
 #include "output/provenance.hpp"
 #include "parameters/consistency.hpp"
+#include "parameters/flow_estimate.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/work.hpp"
 #include "scene/flow_output.hpp"
@@ -42,7 +43,7 @@ class PassageRun {
         pillars_(make_pillar_array(c)),
         lattice_(make_unit_cell(c, pillars_), make_fluid_model(c)),
         membrane_(make_cell(c.cell.shape, c.cell.mesh_frequency, l_.cell_radius), make_moduli(c)),
-        lateral_(c.fluid.lateral_flow == "blocked", l_),
+        lateral_(c.fluid.lateral_flow == "blocked", lateral_friction(c)),
         map_(map_options(c)),
         pillar_top_(surface_above_centre(pillars_)) {
     lattice_.set_uniform_force(l_.force_density, 0.0, 0.0);
@@ -57,6 +58,7 @@ class PassageRun {
     if (steady.status == Status::interrupted) return steady.status;
     flow_steps_ = steady.steps;
     mean_velocity_ = steady.flow.velocity[0];
+    summarise_mean_flow(case_, mean_velocity_, steady.flow.velocity[1], context_.summary);
     if (steady.status == Status::diverged) {
       failure_ = check_fluid(lattice_, steady.flow, l_.um_per_lu);
       return finish(Status::diverged);

@@ -9,6 +9,7 @@
 #include "measure/streamlines.hpp"
 
 #include "parameters/consistency.hpp"
+#include "parameters/flow_estimate.hpp"
 #include "parameters/work.hpp"
 #include "scene/flow_output.hpp"
 #include "scene/monitor.hpp"
@@ -36,6 +37,7 @@ void summarise_flow(const Case& c, const SteadyState& steady, double porosity,
   summary["max_speed"] = steady.flow.max_speed;
   summary["density_variation"] = steady.flow.max_density_deviation - steady.flow.min_density_deviation;
   summary["residual"] = steady.residual;
+  summarise_mean_flow(c, u, steady.flow.velocity[1], summary);
 }
 
 void write_separatrix(RunContext& context, const char* name, const Separation& separation, double um_per_lu,
@@ -54,8 +56,9 @@ Status run(const Case& c, RunContext& context) {
   lattice.set_threads(context.threads);
   lattice.set_uniform_force(l.force_density, 0.0, 0.0);
 
-  const SteadyState steady = run_to_steady_state(lattice, LateralFlow(c.fluid.lateral_flow == "blocked", l),
-                                                 c.stop.steady_tolerance, c.stop.max_steps, context.progress);
+  const SteadyState steady =
+      run_to_steady_state(lattice, LateralFlow(c.fluid.lateral_flow == "blocked", lateral_friction(c)),
+                          c.stop.steady_tolerance, c.stop.max_steps, context.progress);
   nlohmann::ordered_json& summary = context.summary;
   summary["row_shift_um"] = c.geometry.row_shift_um;
   summary["epsilon"] = c.geometry.row_shift_um / c.geometry.pitch_um;

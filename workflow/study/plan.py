@@ -11,6 +11,7 @@ from pathlib import Path
 
 from study import points, stability
 from study.brackets import AXES, at_value, off_axis
+from study.dld import in_capillary_number
 from study.points import merged
 from study.validation import (
     chain,
@@ -87,6 +88,8 @@ def resolved(case, case_schema):
     found = problems(case, case_schema)
     if found:
         raise ValueError("; ".join(found))
+    if "operating" in case:
+        case = in_capillary_number(case)
     full = with_defaults(with_preset(case, case_schema), case_schema)
     if "epsilon" in case.get("geometry", {}):
         full["geometry"].pop("row_shift_um", None)
