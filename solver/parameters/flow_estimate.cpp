@@ -63,7 +63,8 @@ FlowEstimate estimate_flow(const Case& c) {
 double lateral_friction(const Case& c) {
   const LatticeParameters l = to_lattice(c);
   if (is_shallow(c)) return 1.5 * 12.0 * l.viscosity / (l.depth * l.depth);
-  // Of narrow gaps momentum is gone within some steps; a control of every 20 steps must not be faster than that.
+  // Of narrow gaps momentum is gone within some steps; a control of every 20 steps must not be faster than
+  // that.
   constexpr double fastest = 0.05;
   const double dx = c.fluid.lattice_spacing_um;
   return std::min(fastest, l.viscosity * dx * dx / device_mobility_um2(c).yy);

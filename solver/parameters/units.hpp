@@ -50,8 +50,7 @@ constexpr double plasma_viscosity_Pa_s = 1e-3, healthy_shear_modulus_N_per_m = 5
 double viscosity_Pa_s(const Case& c);
 double shear_modulus_N_per_m(const Case& c);
 
-SiScales to_si(const Case& c, double eta_Pa_s,
-               double shear_modulus_N_per_m = healthy_shear_modulus_N_per_m);
+SiScales to_si(const Case& c, double eta_Pa_s, double shear_modulus_N_per_m = healthy_shear_modulus_N_per_m);
 SiScales to_si(const Case& c);
 
 /// Modulus that a membrane of the case's bending law feels when it is folded about one axis, N m.
