@@ -123,6 +123,12 @@ struct OutputParameters {
   int trajectory_samples_per_row = 50;
 };
 
+/// Operating conditions in SI units (operating.hpp): no defaults, a case may say nothing of them.
+struct OperatingParameters {
+  std::optional<double> pressure_gradient_Pa_per_m, pressure_drop_mbar, length_mm, mean_speed_um_per_s,
+      flow_rate_uL_per_min, channel_width_um, shear_modulus_uN_per_m, viscosity_mPa_s;
+};
+
 struct Case {
   std::string scene = "passage";      ///< streamlines | stretching | passage | channel | shear
   std::string accuracy = "standard";  ///< preset whose settings replace the defaults below (presets.hpp)
@@ -135,6 +141,7 @@ struct Case {
   ShearParameters shear;
   ChannelParameters channel;
   OutputParameters output;
+  OperatingParameters operating;
   std::vector<std::string> warnings;  ///< of the reader: what was given without effect; not a parameter
 };
 

@@ -4,6 +4,8 @@
 
 #include "parameters/cell_surface.hpp"
 #include "parameters/limits.hpp"
+#include "parameters/memory.hpp"
+#include "parameters/operating.hpp"
 #include "parameters/physical.hpp"
 #include "parameters/pillar_json.hpp"
 #include "parameters/presets.hpp"
@@ -73,6 +75,11 @@ std::string physical_words(const Case& c) {
   std::string words;
   if (si.contains("pressure_gradient_bar_per_m"))
     words += "pressure gradient " + n(si["pressure_gradient_bar_per_m"]) + " bar/m, ";
+  if (const Json operating = operating_json(c); operating.is_object()) {
+    words += "expected mean speed " + n(operating["mean_speed_um_per_s"]) + " um/s and flow rate " +
+             n(operating["flow_rate_uL_per_min_per_um_of_width"]) + " uL/min per um of width (to " +
+             n(operating["uncertainty_of_speeds_percent"]) + " %), ";
+  }
   if (si.contains("shear_rate_per_s")) words += "shear rate " + n(si["shear_rate_per_s"]) + " per s, ";
   if (scales.time_step_s > 0) words += "time step " + n(1e6 * scales.time_step_s) + " us; from the ";
   return words + scales.basis;
@@ -157,6 +164,7 @@ Json check_json(const Case& c) {
           {"lattice", lattice_numbers(c)},
           {"dimensionless", dimensionless_numbers(c)},
           {"si", si_numbers(c)},
+          {"operating", operating_json(c)},
           {"memory_MiB", memory_MiB(c)},
           {"expected_cost", expected_cost(c)},
           {"margins", margins_json(stability_margins(c))},

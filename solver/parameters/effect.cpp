@@ -103,6 +103,7 @@ const std::vector<ReadBy>& readings() {
       {"/stop/map_tolerance_um", passage, nullptr, "", {{streamlines | channel, "/stop/steady_tolerance"}}},
       {"/stop/steady_tolerance", device | channel},
       {"/stop/max_steps", device | channel | tweezer_coupled, nullptr, "", {{shear, "/shear/duration"}}},
+      {"/operating", device},
       {"/stretching", tweezer},
       {"/stretching/shear_modulus_uN_per_m",
        tweezer,

@@ -7,7 +7,9 @@
 #include "membrane/bending_law.hpp"
 #include "membrane/mesh_check.hpp"
 #include "parameters/cell_surface.hpp"
+#include "parameters/flow_estimate.hpp"
 #include "parameters/scene_rules.hpp"
+#include "parameters/text.hpp"
 #include "parameters/units.hpp"
 
 namespace dld {
@@ -145,17 +147,23 @@ void contact_margins(const Case& c, std::vector<Margin>& margins) {
 }
 
 void flow_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>& margins) {
-  // Twice the mean of an empty slit, f H^2 / (12 nu): between the pillars the flow is not faster.
-  const double speed = 2 * l.force_density * l.depth * l.depth / (12 * l.viscosity);
+  // Shallow: twice the mean of an empty slit, f H^2 / (12 nu); between the pillars the flow is not faster.
+  // Deep: the estimate for the device.
+  const FlowEstimate flow = estimate_flow(c);
+  const bool shallow = is_shallow(c);
+  const double slit = 2 * l.force_density * l.depth * l.depth / (12 * l.viscosity);
+  const double speed = shallow ? slit : flow.largest_speed;
   const double density = 3 * l.force_density * l.nx;
   const std::string slower = "reduce /fluid/force_density";
-  margins.push_back(below("largest speed 2 f H^2 / (12 nu)", speed, speed_limit, "lu", slower));
+  margins.push_back(
+      below(shallow ? "largest speed 2 f H^2 / (12 nu)" : "largest speed", speed, speed_limit, "lu", slower));
   margins.push_back(below("largest speed, for accuracy", speed, accurate_speed_limit, "lu", slower, false));
   margins.push_back(below("density variation 3 f lambda", density, density_limit, "", slower));
   margins.push_back(
       below("density variation, for accuracy", density, accurate_density_limit, "", slower, false));
   if (c.scene == "passage" && c.fluid.equilibrium == "full") {
-    margins.push_back(below("Reynolds number", 0.5 * speed * l.length_scale / l.viscosity, inertia_limit, "",
+    const double mean = shallow ? 0.5 * slit : flow.mean_speed;
+    margins.push_back(below("Reynolds number", mean * l.length_scale / l.viscosity, inertia_limit, "",
                             slower + ", or raise /fluid/relaxation_time"));
   }
   if (c.scene == "passage" && c.fluid.collision == "bgk") {
@@ -164,6 +172,16 @@ void flow_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>
   }
   margins.push_back(above("gap / dx", l.gap, accurate_gap, "lu",
                           "lower /fluid/lattice_spacing_um: s is off by tens of per cent", false));
+  if (flow.lateral_share > 0) {
+    const double loss = 1 - separation_ratio(c.geometry.epsilon(), flow.lateral_share);
+    margins.push_back(
+        below("lateral flow, share of epsilon", flow.lateral_share, lateral_share_limit, "",
+              "the flow drifts along with the rows, which makes the separation distance s about " +
+                  number_text(std::round(100 * loss)) +
+                  " per cent smaller than between side walls: use blocked for /fluid/lateral_flow "
+                  "where the device has side walls",
+              false));
+  }
   if (!c.geometry.rotated_square())
     margins.push_back(below("row shift / pitch", c.geometry.epsilon(), row_shift_limit, "",
                             "mirror the array: a shift d is a shift pitch - d to the other side", false));

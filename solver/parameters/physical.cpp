@@ -25,10 +25,12 @@ PhysicalScales of_tension(const LatticeParameters& l, double tension_N_m, const 
 PhysicalScales of_pressure_gradient(const Case& c, const LatticeParameters& l) {
   const SiScales si = to_si(c);
   const double dx = 1e-6 * l.um_per_lu;
+  const bool own = c.operating.viscosity_mPa_s || c.operating.shear_modulus_uN_per_m;
+  const std::string what = own ? "the cell and the fluid of /operating" : "a healthy cell in water";
   PhysicalScales s{.um = l.um_per_lu,
                    .time_step_s = si.time_step_s,
                    .velocity_mm_s = 1e3 * si.velocity_m_per_s_per_lu,
-                   .basis = "pressure gradient that gives the case's Ca for a healthy cell in water"};
+                   .basis = "pressure gradient that gives the case's Ca for " + what};
   if (l.force_density > 0) s.tension_uN_m = 1e6 * si.pressure_gradient_Pa_per_m / l.force_density * dx * dx;
   return s;
 }

@@ -11,6 +11,7 @@
 #include "parameters/consistency.hpp"
 #include "parameters/declaration.hpp"
 #include "parameters/effect.hpp"
+#include "parameters/operating.hpp"
 #include "parameters/pillar_json.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/syntax.hpp"
@@ -136,6 +137,10 @@ std::vector<std::string> known_names(const std::string& section) {
   }
   if (section == "geometry") names.emplace_back(epsilon_declaration().name);
   if (section.empty()) names.insert(names.end(), annotations.begin(), annotations.end());
+  if (section.empty()) names.emplace_back("operating");
+  if (section == "operating") {
+    for (const auto& key : operating_declarations()) names.emplace_back(key.declaration.name);
+  }
   for (const auto& other : sections()) {
     const auto slash = other.rfind('/');
     const std::string parent = slash == std::string::npos ? "" : other.substr(0, slash);
@@ -195,6 +200,17 @@ void refuse_both_pillars(const Json& geometry, std::vector<Problem>& problems) {
   }
 }
 
+// The section whose keys have no defaults.
+void read_operating(const Json& root, Case& c, std::vector<Problem>& problems) {
+  const Json* object = section_object(root, "operating", problems);
+  if (!object) return;
+  for (const auto& [declaration, member] : operating_declarations()) {
+    if (!object->contains(declaration.name)) continue;
+    const Json& value = object->at(std::string(declaration.name));
+    c.operating.*member = Store(declaration, value, problems).checked_number("a number");
+  }
+}
+
 // Puts the settings of the case's preset in place of the defaults; a wrong name is reported with the others.
 void apply_preset(const Json& root, Case& c) {
   std::string name = c.accuracy;
@@ -240,6 +256,8 @@ Reading read_tree(const Json& root, const std::string& folder) {
       refuse_both_pillars(*object, problems);
     }
   }
+  read_operating(root, c, problems);
+  all_sections.emplace_back("operating");
   for (const auto& section : all_sections) {
     const nlohmann::json::json_pointer pointer(section.empty() ? "" : "/" + section);
     if (root.contains(pointer) && root.at(pointer).is_object())
@@ -255,6 +273,7 @@ Reading read_tree(const Json& root, const std::string& folder) {
   // The default of the schema is that of the default pitch.
   if (!root.contains("/cell/start/x_um"_json_pointer)) c.cell.start.x_um = -0.5 * c.geometry.pitch_um;
   problems = inconsistencies(c);
+  if (problems.empty()) resolve_operating(c, root.contains("/cell/capillary_number"_json_pointer), problems);
   if (problems.empty()) c.warnings = effect_warnings(root, c);
   return reading;
 }

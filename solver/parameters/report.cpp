@@ -96,14 +96,15 @@ Json dimensionless_numbers(const Case& c) {
 
 Json si_numbers(const Case& c) {
   const PhysicalScales scales = physical_scales(c);
-  Json numbers = {{"viscosity_Pa_s", plasma_viscosity_Pa_s}};
+  const bool device = c.scene == "passage" || c.scene == "streamlines";
+  Json numbers = {{"viscosity_Pa_s", device ? viscosity_Pa_s(c) : plasma_viscosity_Pa_s}};
   if (c.scene != "channel") {
-    const bool tweezer = c.scene == "stretching";
-    const double shear = tweezer ? 1e-6 * c.stretching.shear_modulus_uN_per_m : healthy_shear_modulus_N_per_m;
+    double shear = device ? shear_modulus_N_per_m(c) : healthy_shear_modulus_N_per_m;
+    if (c.scene == "stretching") shear = 1e-6 * c.stretching.shear_modulus_uN_per_m;
     numbers["shear_modulus_N_per_m"] = shear;
     numbers["fold_modulus_N_m"] = fold_modulus_N_m(c, shear);
   }
-  if (c.scene == "passage" || c.scene == "streamlines") {
+  if (device) {
     const SiScales si = to_si(c);
     numbers["pressure_gradient_bar_per_m"] = si.pressure_gradient_Pa_per_m * 1e-5;
     numbers["resistance_Pa_s_per_m2_per_lu"] = si.resistance_Pa_s_per_m2_per_lu;

@@ -15,8 +15,8 @@ nlohmann::ordered_json lattice_numbers(const Case& c);
 /// The dimensionless numbers that the scene has: epsilon, Ca, the moduli in units of kS, confinement, Re.
 nlohmann::ordered_json dimensionless_numbers(const Case& c);
 
-/// SI numbers for water-like fluid (1 mPa s) and a healthy cell (5.3 uN/m; a stretched cell has the case's),
-/// and what a lattice unit is.
+/// SI numbers for the fluid and the membrane of /operating, or else water-like fluid (1 mPa s) and a healthy
+/// cell (5.3 uN/m; a stretched cell has the case's), and what a lattice unit is.
 nlohmann::ordered_json si_numbers(const Case& c);
 
 /// What a run will cost: steps (of a passage also per pillar row), node updates, updates of membrane vertices

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "parameters/memory.hpp"
+#include "parameters/operating.hpp"
 #include "parameters/reader.hpp"
 #include "parameters/report.hpp"
 #include "parameters/scene_rules.hpp"
@@ -48,6 +49,7 @@ Json resolved_json(const Json& root, const std::string& folder) {
   answer["expected_to_diverge"] = expected_to_diverge(margins);
   answer["memory_bytes"] = std::ceil(1024 * 1024 * memory_MiB(c));
   answer["expected_cost"] = expected_cost(c);
+  answer["operating"] = operating_json(c);
   return answer;
 }
 

@@ -10,7 +10,7 @@ namespace dld {
 ///   problems   [{pointer, value, allowed, advice}], all of them; without any there is also
 ///   case       with all defaults;  sections  of it that its scene reads
 ///   warnings   [{name, value, limit, unit, advice}], margins that do not hold
-///   expected_to_diverge, memory_bytes, expected_cost
+///   expected_to_diverge, memory_bytes, expected_cost;  operating  the case in SI units
 nlohmann::ordered_json resolved_json(const nlohmann::ordered_json& root, const std::string& folder);
 
 /// The answers for a text that holds an array of cases, or one case; throws CaseError if it is no JSON.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "parameters/declaration.hpp"
+#include "parameters/operating.hpp"
 #include "parameters/pillar_json.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/reader.hpp"
@@ -131,6 +132,18 @@ Json case_schema() {
     const char* meaning = "about the case; changes nothing and is no part of a run's identity";
     root["properties"][name] = {{"description", meaning}, {"type", "string"}};
   }
+  // Optional, without defaults: a case that does not have it stays what it was.
+  Json& operating = section_schema(root, "operating");
+  operating["description"] =
+      "operating conditions in SI units: one drive, from which the capillary number is computed; the case "
+      "then gives none itself";
+  for (const auto& [declaration, member] : operating_declarations()) {
+    operating["properties"][std::string(declaration.name)] = property(declaration, defaults);
+  }
+  operating["dependentRequired"] = {{"pressure_drop_mbar", {"length_mm"}},
+                                    {"length_mm", {"pressure_drop_mbar"}},
+                                    {"flow_rate_uL_per_min", {"channel_width_um"}},
+                                    {"channel_width_um", {"flow_rate_uL_per_min"}}};
   // An annotation: the defaults that each preset puts in place of those stated below.
   Json& annotation = root["properties"]["accuracy"]["x-presets"];
   for (const auto& p : presets()) annotation[p.name] = p.settings;

@@ -147,6 +147,20 @@ LatticeParameters scene_lattice(const Case& c) {
   return to_lattice(c);
 }
 
+double viscosity_Pa_s(const Case& c) {
+  const auto& given = c.operating.viscosity_mPa_s;
+  return given ? 1e-3 * *given : plasma_viscosity_Pa_s;
+}
+
+double shear_modulus_N_per_m(const Case& c) {
+  const auto& given = c.operating.shear_modulus_uN_per_m;
+  return given ? 1e-6 * *given : healthy_shear_modulus_N_per_m;
+}
+
+SiScales to_si(const Case& c) {
+  return to_si(c, viscosity_Pa_s(c), shear_modulus_N_per_m(c));
+}
+
 SiScales to_si(const Case& c, double eta_Pa_s, double shear_modulus_N_per_m) {
   const LatticeParameters l = to_lattice(c);
   const double dx = 1e-6 * l.um_per_lu;
@@ -160,6 +174,10 @@ SiScales to_si(const Case& c, double eta_Pa_s, double shear_modulus_N_per_m) {
       si.pressure_gradient_Pa_per_m / (l.force_density * si.resistance_Pa_s_per_m2_per_lu);
   si.time_step_s = dx / si.velocity_m_per_s_per_lu;
   return si;
+}
+
+double fold_modulus_N_m(const Case& c) {
+  return fold_modulus_N_m(c, shear_modulus_N_per_m(c));
 }
 
 double fold_modulus_N_m(const Case& c, double shear_modulus_N_per_m) {

@@ -61,10 +61,15 @@ struct SiScales {
 /// Water-like plasma, and a healthy red cell (Suresh et al., Acta Biomaterialia 1, 2005).
 constexpr double plasma_viscosity_Pa_s = 1e-3, healthy_shear_modulus_N_per_m = 5.3e-6;
 
-SiScales to_si(const Case& c, double eta_Pa_s = plasma_viscosity_Pa_s,
-               double shear_modulus_N_per_m = healthy_shear_modulus_N_per_m);
+/// Those that the case gives in /operating, or else plasma and a healthy cell.
+double viscosity_Pa_s(const Case& c);
+double shear_modulus_N_per_m(const Case& c);
+
+SiScales to_si(const Case& c, double eta_Pa_s, double shear_modulus_N_per_m = healthy_shear_modulus_N_per_m);
+SiScales to_si(const Case& c);
 
 /// Modulus that a membrane of the case's bending law feels when it is folded about one axis, N m.
-double fold_modulus_N_m(const Case& c, double shear_modulus_N_per_m = healthy_shear_modulus_N_per_m);
+double fold_modulus_N_m(const Case& c, double shear_modulus_N_per_m);
+double fold_modulus_N_m(const Case& c);
 
 }  // namespace dld

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "parameters/cell_surface.hpp"
+#include "parameters/flow_estimate.hpp"
 #include "parameters/units.hpp"
 
 namespace dld {
@@ -14,8 +15,9 @@ namespace {
 constexpr double node_rate = 150e6, vertex_rate = 5e6;
 // Pillar lines that a typical passage crosses before its class is proved.
 constexpr double typical_rows = 10;
-// Flow without a cell: steps to the steady state in units of H^2 / nu.
-constexpr double settling = 3;
+// Flow without a cell: steps to the steady state in units of mobility / viscosity, from 19 (shallow) to 28
+// (deep).
+constexpr double settling = 28;
 // Median of the tweezer: iterations of the minimiser per force, over the mesh frequency; and steps through
 // the fluid per force.
 constexpr double iterations_per_frequency = 36, coupled_steps_per_force = 9000;
@@ -31,8 +33,8 @@ double open_share(const Case& c) {
 }
 
 // Steps until a flow without a cell is steady, at the most those that the case allows.
-double steady_steps(const Case& c, const LatticeParameters& l) {
-  return std::min(settling * l.depth * l.depth / l.viscosity, static_cast<double>(c.stop.max_steps));
+double steady_steps(const Case& c) {
+  return std::min(settling * estimate_flow(c).settling_time, static_cast<double>(c.stop.max_steps));
 }
 
 ExpectedWork of_steps(double steps, double fluid_nodes) {
@@ -71,25 +73,24 @@ LatticeBox channel_box(const Case& c) {
 }
 
 ExpectedWork streamlines_work(const Case& c) {
-  const LatticeParameters l = to_lattice(c);
-  return of_steps(steady_steps(c, l), streamlines_box(c).nodes() * open_share(c));
+  return of_steps(steady_steps(c), streamlines_box(c).nodes() * open_share(c));
 }
 
 ExpectedWork passage_work(const Case& c) {
   const LatticeParameters l = to_lattice(c);
-  constexpr double array_share = 0.6;
-  const double slit_speed = l.force_density * l.depth * l.depth / (12 * l.viscosity);
-  const double per_row = l.nx / (array_share * slit_speed);
+  const double per_row = l.nx / estimate_flow(c).mean_speed;
   const double rows = c.stop.max_rows > 0 && c.stop.when == "rows" ? c.stop.max_rows : typical_rows;
   const double passing = std::min(rows * per_row, static_cast<double>(c.stop.max_steps));
-  ExpectedWork work = of_steps(steady_steps(c, l) + passing, passage_box(c).nodes() * open_share(c));
+  ExpectedWork work = of_steps(steady_steps(c) + passing, passage_box(c).nodes() * open_share(c));
   work.steps_per_row = per_row;
   work.membrane_updates = passing * vertices(c);
   return work;
 }
 
 ExpectedWork channel_work(const Case& c) {
-  return of_steps(steady_steps(c, to_lattice(c)), channel_box(c).nodes());
+  const LatticeParameters l = to_lattice(c);
+  const double steps = settling * l.depth * l.depth / (12 * l.viscosity);
+  return of_steps(std::min(steps, static_cast<double>(c.stop.max_steps)), channel_box(c).nodes());
 }
 
 ExpectedWork shear_work(const Case& c) {

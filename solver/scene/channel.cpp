@@ -60,7 +60,7 @@ Status run(const Case& c, RunContext& context) {
   Lattice<Real> lattice(cell, make_fluid_model(c));
   lattice.set_threads(context.threads);
   lattice.set_uniform_force(l.force_density, 0.0, 0.0);
-  const SteadyState steady = run_to_steady_state(lattice, LateralFlow(false, l), c.stop.steady_tolerance,
+  const SteadyState steady = run_to_steady_state(lattice, LateralFlow(false, l, 0.0), c.stop.steady_tolerance,
                                                  c.stop.max_steps, context.progress);
   if (steady.status == Status::interrupted) return steady.status;
 

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <vector>
 
+#include "parameters/flow_estimate.hpp"
+#include "parameters/operating.hpp"
+
 namespace dld {
 namespace {
 
@@ -90,6 +93,16 @@ void write_plane_flow(RunContext& context, const PlaneField& field, const Physic
   context.out.write("/flow/points_um", std::span<const double>(points), {nx, ny, 3}, "um",
                     "node positions (x, y, 0) relative to the pillar centre");
   write_around(context, field, scales, centre);
+}
+
+void summarise_mean_flow(const Case& c, double along, double across, nlohmann::ordered_json& summary) {
+  const double epsilon = c.geometry.epsilon();
+  const double share = epsilon > 0 ? across / along / epsilon : 0;
+  if (share > lateral_share_limit) {
+    summary["lateral_share_of_epsilon"] = share;
+    summary["separation_over_blocked"] = separation_ratio(epsilon, share);
+  }
+  if (operating_given(c)) summary["operating"] = operating_summary(c, along);
 }
 
 }  // namespace dld

@@ -14,4 +14,9 @@ namespace dld {
 void write_plane_flow(RunContext& context, const PlaneField& field, const PhysicalScales& scales,
                       const Eigen::Vector2d& centre = Eigen::Vector2d::Zero());
 
+/// What the mean velocity (lu, along and across the driving force) of the flow without a cell says of the
+/// case: the share of epsilon that the lateral flow takes, where it is more than lateral_share_limit, with
+/// what it does to s; and the operating conditions, where the case gives some.
+void summarise_mean_flow(const Case& c, double along, double across, nlohmann::ordered_json& summary);
+
 }  // namespace dld

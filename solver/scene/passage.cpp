@@ -18,6 +18,7 @@
 #include "measure/cross_section.hpp"
 #include "measure/return_map.hpp"
 #include "parameters/consistency.hpp"
+#include "parameters/flow_estimate.hpp"
 #include "parameters/physical.hpp"
 #include "parameters/text.hpp"
 #include "parameters/work.hpp"
@@ -47,7 +48,7 @@ class PassageRun {
         gap_(device_.gap_line()),
         lattice_(make_unit_cell(c, device_), make_fluid_model(c)),
         membrane_(cell_mesh(c.cell, l_.cell_radius), make_moduli(c, l_)),
-        lateral_(c.fluid.lateral_flow == "blocked", l_),
+        lateral_(c.fluid.lateral_flow == "blocked", l_, lateral_friction(c)),
         map_(map_options(c)),
         unit_(whole_steps(make_coupling_model(c))) {
     lattice_.set_uniform_force(l_.force_density * l_.drive[0], l_.force_density * l_.drive[1], 0.0);
@@ -79,6 +80,7 @@ class PassageRun {
     if (steady.status == Status::interrupted) return steady.status;
     flow_steps_ = steady.steps;
     mean_velocity_ = lateral_.along(steady.flow.velocity);
+    mean_across_ = lateral_.across(steady.flow.velocity);
     if (steady.status == Status::diverged) {
       failure_ = check_fluid(lattice_, steady.flow, l_.um_per_lu);
       return finish(Status::diverged);
@@ -272,6 +274,7 @@ class PassageRun {
     };
     whole("flow_steps", flow_steps_);
     checkpoint.set("mean_velocity", mean_velocity_);
+    checkpoint.set("mean_across", mean_across_);
     whole("row", row_);
     whole("crossing_added", crossing_added_ ? 1 : 0);
     whole("decided", decided_ ? 1 : 0);
@@ -308,6 +311,7 @@ class PassageRun {
     steps_ = restore_coupled(*saved_, lattice_, *cell_);
     flow_steps_ = saved_->integer("flow_steps");
     mean_velocity_ = values("mean_velocity").at(0);
+    mean_across_ = values("mean_across").at(0);
     row_ = static_cast<int>(saved_->integer("row"));
     crossing_added_ = saved_->integer("crossing_added") != 0;
     decided_ = saved_->integer("decided") != 0;
@@ -405,6 +409,7 @@ class PassageRun {
     const SiScales si = to_si(case_);
     s["si"] = {{"pressure_gradient_bar_per_m", si.pressure_gradient_Pa_per_m * 1e-5},
                {"mean_velocity_mm_per_s", mean_velocity_ * si.velocity_m_per_s_per_lu * 1e3}};
+    summarise_mean_flow(case_, mean_velocity_, mean_across_, s);
     if (!failure_) return;
     report_failure(*failure_, cell_ ? steps_ : flow_steps_, s);
     if (last_good_.vertices.size() > 0) s["last_good_step"] = last_good_.step;
@@ -432,7 +437,7 @@ class PassageRun {
   std::string reason_;          ///< why the run ended before a cell was in it
   MembraneSnapshot last_good_;  ///< shape at the last sample that passed all checks
   Eigen::Vector3d last_recorded_ = Eigen::Vector3d::Zero();
-  double mean_velocity_ = 0;
+  double mean_velocity_ = 0, mean_across_ = 0;  ///< of the flow without the cell, along and across the force
   long steps_ = 0, flow_steps_ = 0, last_snapshot_ = -1000000;
   int row_ = 0, sample_interval_ = 2;
   bool row_finished_ = false;  ///< the state is to be saved at the end of this step

@@ -17,14 +17,14 @@
 namespace dld {
 
 /// Free: only the driving force. Blocked: a force across it that brings the mean velocity across it to zero,
-/// as the side walls of a device do. Integral control, tuned to be critically damped for the friction 12
-/// nu/H^2 of a slit.
+/// as the side walls of a device do. Integral control, tuned to be critically damped for the friction (1 /
+/// steps) that slows a lateral flow down.
 class LateralFlow {
  public:
   static constexpr int interval = 20;  ///< steps between updates
 
-  LateralFlow(bool blocked, const LatticeParameters& l) : drive_(l.drive), blocked_(blocked) {
-    const double friction = 1.5 * 12.0 * l.viscosity / (l.depth * l.depth);
+  LateralFlow(bool blocked, const LatticeParameters& l, double friction)
+      : drive_(l.drive), blocked_(blocked) {
     gain_ = 0.25 * interval * friction * friction;
   }
   bool blocked() const { return blocked_; }

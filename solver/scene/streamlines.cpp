@@ -8,6 +8,7 @@
 ///
 /// Try: dld run params/cases/streamlines.json /tmp/streamlines.h5
 #include "parameters/consistency.hpp"
+#include "parameters/flow_estimate.hpp"
 #include "parameters/physical.hpp"
 #include "parameters/work.hpp"
 #include "scene/device_output.hpp"
@@ -39,6 +40,7 @@ void summarise_flow(const Case& c, const SteadyState& steady, const LateralFlow&
   summary["max_speed"] = steady.flow.max_speed;
   summary["density_variation"] = steady.flow.max_density_deviation - steady.flow.min_density_deviation;
   summary["residual"] = steady.residual;
+  summarise_mean_flow(c, u, lateral.across(steady.flow.velocity), summary);
 }
 
 template <class Real>
@@ -51,7 +53,7 @@ Status run(const Case& c, RunContext& context) {
   lattice.set_threads(context.threads);
   lattice.set_uniform_force(l.force_density * l.drive[0], l.force_density * l.drive[1], 0.0);
 
-  const LateralFlow lateral(c.fluid.lateral_flow == "blocked", l);
+  const LateralFlow lateral(c.fluid.lateral_flow == "blocked", l, lateral_friction(c));
   const SteadyState steady =
       run_to_steady_state(lattice, lateral, c.stop.steady_tolerance, c.stop.max_steps, context.progress);
   if (steady.status == Status::interrupted) return steady.status;

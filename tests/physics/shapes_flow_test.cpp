@@ -43,7 +43,7 @@ Flow flow_past(const std::string& pillar, double dx_um, double shift_um = 4.8) {
   lattice.set_uniform_force(l.force_density, 0.0, 0.0);
   std::FILE* nowhere = std::fopen("/dev/null", "w");
   Progress progress(nowhere, false);
-  const SteadyState steady = run_to_steady_state(lattice, LateralFlow(false, l), 1e-9, 100000, progress);
+  const SteadyState steady = run_to_steady_state(lattice, LateralFlow(false, l, 0.0), 1e-9, 100000, progress);
   std::fclose(nowhere);
   EXPECT_EQ(steady.status, Status::converged);
   Flow result;

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 
 #include "fluid/lattice.hpp"
@@ -84,9 +84,9 @@ TEST(Resolve, IsFast) {
                      {"cell", {{"capillary_number", 0.1 + 0.001 * k}}}});
   }
   const std::string text = cases.dump();
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();  // of the processor: others may be at work on the machine
   EXPECT_EQ(resolve_text(text, "cases.json").size(), 1000u);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+  EXPECT_LT(std::clock() - begin, 5 * CLOCKS_PER_SEC);
 }
 
 TEST(SceneRules, NameKnownSections) {

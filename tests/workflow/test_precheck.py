@@ -6,7 +6,8 @@ import os
 import pytest
 from short_passage import DLD, needs_solver
 from study.planning import plan as planning
-from study.planning.precheck import answers, cases_of, is_current, place_in, placed, seconds_of_runs
+from study.planning.dld import answers
+from study.planning.precheck import cases_of, is_current, place_in, placed, seconds_of_runs
 
 CASE_SCHEMA = planning.read_json(planning.SCHEMAS / "case.schema.json")
 
@@ -95,6 +96,37 @@ def test_the_answer_is_kept_until_the_plan_or_the_solver_changes(root, tmp_path)
     assert seconds_of_runs(path, plan, CASE_SCHEMA, DLD, kept) == {"kept": 1}
     fewer = plan | {"runs": plan["runs"][1:]}
     assert seconds_of_runs(path, fewer, CASE_SCHEMA, DLD, kept) != {"kept": 1}
+
+
+@needs_solver
+def test_a_case_in_si_units_is_the_run_of_its_capillary_number():
+    plain = {"scene": "passage", "geometry": {"row_shift_um": 3.2}}
+    driven = plain | {"operating": {"mean_speed_um_per_s": 800, "viscosity_mPa_s": 1.2}}
+    case = planning.resolved(driven, CASE_SCHEMA)
+    number = case["cell"]["capillary_number"]
+    assert "operating" not in case and number != CASE_SCHEMA["properties"]["cell"]["properties"][
+        "capillary_number"
+    ].get("default")
+    same = planning.resolved(plain | {"cell": {"capillary_number": number}}, CASE_SCHEMA)
+    assert planning.run_id(case, 4) == planning.run_id(same, 4)
+    # Pressure gradient: Ca = p' l r / kS without any estimate.
+    driven["operating"] = {"pressure_gradient_Pa_per_m": 1e5, "shear_modulus_uN_per_m": 5}
+    number = planning.resolved(driven, CASE_SCHEMA)["cell"]["capillary_number"]
+    assert number == pytest.approx(1e5 * (12 * 4.8) ** 0.5 * 3.9e-12 / 5e-6, rel=1e-12)
+
+
+@needs_solver
+def test_a_drive_that_is_given_twice_is_refused():
+    driven = {"scene": "passage", "operating": {"mean_speed_um_per_s": 800, "pressure_gradient_Pa_per_m": 1}}
+    with pytest.raises(ValueError, match="/operating = pressure_gradient_Pa_per_m, mean_speed_um_per_s"):
+        planning.resolved(driven, CASE_SCHEMA)
+
+
+def test_si_units_without_a_solver_say_what_to_build(monkeypatch, tmp_path):
+    monkeypatch.setattr("study.planning.dld.DLD", tmp_path / "dld")
+    driven = {"scene": "passage", "operating": {"mean_speed_um_per_s": 801}}
+    with pytest.raises(ValueError, match="build it first: cmake"):
+        planning.resolved(driven, CASE_SCHEMA)
 
 
 def test_a_solver_older_than_its_sources_is_not_asked(tmp_path):

@@ -3,8 +3,9 @@
 import pandas as pd
 import pytest
 from short_passage import DLD, needs_solver
+from study.planning.dld import answers
 from study.planning.plan import SCHEMAS, load_plan, read_json
-from study.planning.precheck import answers, seconds_of_runs
+from study.planning.precheck import seconds_of_runs
 from study.planning.schedule import bracket_priority, case_priority, run_priorities
 
 pytestmark = needs_solver

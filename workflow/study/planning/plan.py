@@ -12,6 +12,7 @@ from pathlib import Path
 from study.planning import points, stability
 from study.planning.arrays import case_parts
 from study.planning.brackets import AXES, at_value, off_axis
+from study.planning.dld import in_capillary_number
 from study.planning.points import merged
 from study.planning.validation import (
     chain,
@@ -100,6 +101,8 @@ def resolved(case, case_schema):
     found = problems(case, case_schema)
     if found:
         raise ValueError("; ".join(found))
+    if "operating" in case:
+        case = in_capillary_number(case)
     full = with_defaults(with_preset(case, case_schema), case_schema)
     _size_by_shape(case.get("cell", {}), full["cell"])
     for section, given, replaced in ALTERNATIVES:

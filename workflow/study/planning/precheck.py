@@ -3,12 +3,12 @@ at their place in the file of the study, and what each will take."""
 
 import hashlib
 import json
-import subprocess
-import tempfile
 from pathlib import Path
 
 from study.planning.arrays import case_parts
 from study.planning.brackets import at_value
+from study.planning.dld import answers
+from study.planning.dld import words as words_of
 from study.planning.plan import CELLS, expanded, plan_points, read_json, run_id
 from study.planning.validation import listing, load_json, pointer
 
@@ -74,25 +74,6 @@ def cases_of(plan):
     return found
 
 
-def answers(cases, dld):
-    """The solver's answers to a list of cases; a RuntimeError if it has none."""
-    with tempfile.TemporaryDirectory() as folder:
-        asked, answered = Path(folder) / "cases.json", Path(folder) / "answers.json"
-        asked.write_text(json.dumps(cases), encoding="utf-8")
-        done = subprocess.run(
-            [Path(dld).absolute(), "resolve", asked, answered], capture_output=True, text=True, check=False
-        )
-        if done.returncode not in (0, 2) or not answered.exists():
-            raise RuntimeError(f"{dld} resolve: exit {done.returncode}: {done.stderr.strip()}")
-        return read_json(answered)
-
-
-def _words(problem):
-    value = f" = {problem['value']}" if problem["value"] else ""
-    text = f"{problem['pointer'] or '/'}{value}: allowed is {problem['allowed']}"
-    return text + (f"; {problem['advice']}" if problem["advice"] else "")
-
-
 def refusals(study_path, plan, case_schema, refused):
     """One line for each thing that the solver refuses, with the place in the file of the study that it comes
     from and the first run that asks for it; `refused` are the problems by identity of the run."""
@@ -102,7 +83,7 @@ def refusals(study_path, plan, case_schema, refused):
     for words, overlay, identity in plan_points(tier, plan, case_schema):
         for problem in refused.get(identity, ()):
             place = place_in(overlay, problem["pointer"])
-            key = (place, _words(problem))
+            key = (place, words_of(problem))
             found.setdefault(key, words)
             counts[key] = counts.get(key, 0) + 1
     lines = []

@@ -10,7 +10,7 @@ import math
 from functools import cache
 from pathlib import Path
 
-from study.planning.precheck import answers
+from study.planning.dld import answers
 
 #: Seconds of a run of which the solver knows no cost, or that is planned before the solver is built.
 UNKNOWN_SECONDS = 60
