@@ -85,7 +85,9 @@ TEST(Effect, NothingIsSaidOfAResolvedCase) {
 /// A section that the table does not know would have an effect everywhere, and nothing would be said of its
 /// keys.
 TEST(Effect, EverySectionHasItsReaders) {
-  for (const std::string& section : sections()) {
+  std::vector<std::string> all = sections();
+  all.emplace_back("operating");
+  for (const std::string& section : all) {
     bool without = false;
     for (const char* scene : {"passage", "streamlines", "stretching", "channel", "shear"}) {
       Case c;
@@ -106,6 +108,7 @@ struct Change {
   void operator()(std::vector<double>* x) const { x->push_back(1); }
   void operator()(std::optional<double>* x) const { *x = 0.9 * x->value_or(32); }
   void operator()(std::optional<PillarValues>* x) const { *x = PillarValues{"circle", {{"radius_um", {7}}}}; }
+  void operator()(std::optional<std::string>* x) const { *x = allowed.names.front(); }
   void operator()(std::string* x) const {
     for (const std::string& name : allowed.names) {
       if (name == *x) continue;

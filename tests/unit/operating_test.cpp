@@ -20,18 +20,22 @@ Json case_with(const Json& operating) {
   return {{"scene", "passage"}, {"geometry", {{"row_shift_um", 3.2}}}, {"operating", operating}};
 }
 
+Reading read(const Json& tree) {
+  return read_tree(tree, "");
+}
+
 std::vector<Problem> problems_of(const Json& tree) {
-  return read_tree(tree).problems;
+  return read(tree).problems;
 }
 
 OperatingPoint point_of(const Json& operating) {
-  const Reading reading = read_tree(case_with(operating));
+  const Reading reading = read(case_with(operating));
   EXPECT_TRUE(reading.problems.empty()) << operating;
   return operating_point(reading.c, expected_mobility_um2(reading.c));
 }
 
 TEST(Operating, APressureGradientIsAnExactCapillaryNumber) {
-  const Reading reading = read_tree(case_with(
+  const Reading reading = read(case_with(
       {{"pressure_gradient_Pa_per_m", 1e5}, {"shear_modulus_uN_per_m", 5}, {"viscosity_mPa_s", 1.2}}));
   ASSERT_TRUE(reading.problems.empty());
   // p' l r / kS with l = sqrt(12 * 4.8) um and r = 3.9 um.
@@ -98,16 +102,46 @@ TEST(Operating, WhatIsWrongIsNamed) {
   EXPECT_EQ(problems_of(other).front().pointer, "/operating/mean_speed_um_per_s");
 }
 
+// Each of these changes the flow of the device, so that one remembered for another would be wrong.
+TEST(Operating, EveryDeviceHasItsOwnResistance) {
+  const auto mobility = [](const Json& more) {
+    Json tree = {{"scene", "passage"}, {"geometry", {{"row_shift_um", 3.2}}}};
+    tree["geometry"].update(more);
+    const Reading reading = read(tree);
+    EXPECT_TRUE(reading.problems.empty()) << tree;
+    return device_mobility_um2(reading.c);
+  };
+  const Mobility circle = mobility(Json::object());
+  const Json same = {{"pillar", {{"shape", "circle"}, {"radius_um", 10}}}};
+  EXPECT_EQ(mobility(same).xx, circle.xx);
+  for (const Json& other : {Json{{"pillar", {{"shape", "circle"}, {"radius_um", 8}}}},
+                            Json{{"pillar", {{"shape", "ellipse"}, {"semi_axes_um", {10, 8}}}}},
+                            Json{{"pitch_y_um", 40}}, Json{{"layout", "rotated_square"}}}) {
+    EXPECT_GT(std::abs(mobility(other).xx / circle.xx - 1), 1e-3) << other;
+  }
+  EXPECT_NEAR(mobility({{"pitch_y_um", 40}}).open_area, 1 - std::numbers::pi * 100 / (32 * 40), 1e-12);
+}
+
+// Pillars at the corners of squares let as much through along every direction and push nothing aside.
+TEST(Operating, ARotatedSquareArrayHasNoLateralFlow) {
+  const Json tree = {{"scene", "passage"}, {"geometry", {{"epsilon", 0.2}, {"layout", "rotated_square"}}}};
+  const Reading reading = read(tree);
+  ASSERT_TRUE(reading.problems.empty());
+  const Mobility& m = device_mobility_um2(reading.c);
+  EXPECT_NEAR(m.lateral_ratio(), 0, 1e-6);
+  EXPECT_NEAR(m.yy / m.xx, 1, 1e-6);
+}
+
 // What runs, and what its identity is made from, is the capillary number.
 TEST(Operating, TheResolvedCaseHasTheCapillaryNumberAndNoMore) {
-  const Json answer = resolved_json(case_with({{"mean_speed_um_per_s", 800}}));
+  const Json answer = resolved_json(case_with({{"mean_speed_um_per_s", 800}}), "");
   EXPECT_FALSE(answer["case"].contains("operating"));
   const double number = answer["case"]["cell"]["capillary_number"];
   EXPECT_EQ(number, answer["operating"]["capillary_number"]);
   EXPECT_NEAR(answer["operating"]["mean_speed_um_per_s"].get<double>(), 800, 1e-9);
   Json again = answer["case"];
   again.erase("operating");
-  EXPECT_EQ(read_tree(again).c.cell.capillary_number, number);
+  EXPECT_EQ(read(again).c.cell.capillary_number, number);
 }
 
 TEST(Operating, ACaseWithoutTheSectionStaysAsItWas) {
