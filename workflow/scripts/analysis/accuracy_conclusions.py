@@ -159,7 +159,7 @@ def main():
         "Errors are largest deviations from the limit of another scheme, over all points or at the point "
         "named; settings that fail at one point are recommended at none. Work is counted in updates of fluid "
         f"nodes; a membrane node counts {weight:g}. Seconds are those of "
-        "beside each.\n"
+        "one core.\n"
     )
     found = measured_weight(load_runs(arguments.plan, arguments.runs, "accuracy-passages"))
     lines += [f"{found}\n"] if found else []
