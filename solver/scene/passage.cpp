@@ -328,7 +328,7 @@ class PassageRun {
 
   Status finish(Status status) {
     if (failure_ && last_good_.vertices.size() > 0) record_.keep(last_good_);
-    if (!failure_) record_.keep({"final", row_, steps_, cell_->positions()});
+    if (!failure_ && cell_) record_.keep({"final", row_, steps_, cell_->positions()});
     summarise(status);
     const PhysicalScales scales = physical_scales(case_);
     context_.xdmf.series = record_.write(context_.out, membrane_, device_.pillars(), scales);

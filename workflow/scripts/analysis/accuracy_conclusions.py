@@ -129,7 +129,7 @@ def measured_weight(runs):
     """
     samples = {}
     for run in runs:
-        summary, seconds, how = run.summary, run.wall_s(), run.case["coupling"]
+        summary, seconds, how = run.summary, run.core_s(), run.case["coupling"]
         if summary["status"] in GOOD and seconds and run.case["fluid"]["precision"] == "single":
             key = run.case["fluid"]["lattice_spacing_um"], how["kernel"], how["steps_per_update"]
             rates = (summary["node_updates"] / seconds, summary["membrane_updates"] / seconds)
@@ -158,8 +158,8 @@ def main():
     lines.append(
         "Errors are largest deviations from the limit of another scheme, over all points or at the point "
         "named; settings that fail at one point are recommended at none. Work is counted in updates of fluid "
-        f"nodes; a membrane node counts {weight:g}. Seconds are those of the pipeline, with other runs "
-        "beside each.\n"
+        f"nodes; a membrane node counts {weight:g}. Seconds are those of "
+        "one core.\n"
     )
     found = measured_weight(load_runs(arguments.plan, arguments.runs, "accuracy-passages"))
     lines += [f"{found}\n"] if found else []

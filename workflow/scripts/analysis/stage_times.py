@@ -25,7 +25,7 @@ def main():
     runs += bracket_runs(arguments.plan, arguments.brackets, arguments.runs)
     stages, counted = {}, set()
     for run in runs:  # a run that several stages share counts in the first of them
-        seconds = run.wall_s()
+        seconds = run.core_s()
         if run.id not in counted and seconds is not None:
             counted.add(run.id)
             stages.setdefault((run.group, part_of(run), run.dx_um), []).append(seconds)

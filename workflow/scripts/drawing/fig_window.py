@@ -1,36 +1,27 @@
-"""The window of row shift and pressure gradient in which a device tells two cells apart."""
+"""The window of row shift and pressure gradient in which a device tells two cells apart: a bar from where the
+one zigzags to where the other is no longer displaced."""
 
 from study.analysis.arguments import required_arguments
 from study.analysis.tables import read_table
 from study.drawing import style
 from study.planning.plan import read_json
 
+THICK, APART = 4, 0.09  # of a bar: points, um from one pair to the next
+
 
 def main():
     arguments = required_arguments(__doc__, "plan", "window", "output")
     table = read_table(arguments.window)
-    figure = style.new_figure(style.COLUMN, 2.7)
+    figure = style.new_figure(style.COLUMN, 2.9)
     axes = figure.add_subplot()
-    for number, (_, rows) in enumerate(table.groupby("device")):
+    pairs = table.groupby(["device", "zigzag_cell", "displaced_cell"])
+    for number, ((device, soft, stiff), rows) in enumerate(pairs):
         colour = style.SERIES[1:][number % (len(style.SERIES) - 1)][0]
-        ends = (rows.from_bar_per_m, rows.to_bar_per_m)
-        axes.fill_betweenx(rows.row_shift_um, *ends, color=colour, alpha=0.3, lw=0)
-        axes.plot(
-            ends[0],
-            rows.row_shift_um,
-            "o-",
-            color=colour,
-            ms=3,
-            label=f"{rows.zigzag_cell.iloc[0]} zigzags from here",
-        )
-        axes.plot(
-            ends[1],
-            rows.row_shift_um,
-            "s--",
-            color=colour,
-            ms=3,
-            label=f"{rows.displaced_cell.iloc[0]} is displaced up to here",
-        )
+        label = f"{device}: {soft} zigzags, {stiff} is displaced"
+        for row in rows.itertuples():
+            height = row.row_shift_um + APART * number
+            ends = [row.from_bar_per_m, row.to_bar_per_m]
+            axes.plot(ends, [height] * 2, color=colour, lw=THICK, solid_capstyle="butt", label=label)
     if table.empty:
         axes.text(0.5, 0.5, "no window: see the page of the study", ha="center", transform=axes.transAxes)
     else:

@@ -66,7 +66,7 @@ def row_of(run, weight):
         value = summary.get(name)
         if value is not None:
             observed[kind] = np.atleast_1d(np.asarray(value, float))
-    cost = {"work_units": work_units(summary, weight), "seconds": run.wall_s()}
+    cost = {"work_units": work_units(summary, weight), "seconds": run.core_s()}
     return (
         run.labels | cost | {"spacing": spacing(run.case), "status": summary["status"], "observed": observed}
     )

@@ -132,14 +132,18 @@ class Run:
         with self.open() as file:
             return json.loads(file.attrs["provenance"])
 
-    def wall_s(self):
-        """Seconds that the run took by Snakemake's benchmark; None if there is none."""
+    def core_s(self):
+        """Seconds of a core that the run took by Snakemake's benchmark; None if there is none. Where other
+        programs ran beside it, the clock says nothing; the load that was seen turns it into a core's."""
         path = self.folder / "benchmark.tsv"
         if not path.exists():
             return None
         with path.open(encoding="utf-8") as file:
             rows = list(csv.DictReader(file, delimiter="\t"))
-        return float(rows[-1]["s"]) if rows else None
+        if not rows:
+            return None
+        clock, load = float(rows[-1]["s"]), float(rows[-1].get("mean_load") or 0)
+        return clock * load / 100 if load > 0 else clock
 
 
 def load_runs(plan_path, folder, group):
