@@ -109,7 +109,6 @@ struct Change {
   void operator()(std::optional<double>* x) const { *x = 0.9 * x->value_or(32); }
   void operator()(std::optional<std::string>* x) const { *x = allowed.names.front(); }
   void operator()(std::optional<PillarValues>* x) const { *x = PillarValues{"circle", {{"radius_um", {7}}}}; }
-  void operator()(std::optional<std::string>* x) const { *x = allowed.names.front(); }
   void operator()(std::string* x) const {
     for (const std::string& name : allowed.names) {
       if (name == *x) continue;
