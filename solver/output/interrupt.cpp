@@ -37,6 +37,7 @@ constexpr double share_kept = 0.05, longest_kept_s = 60.0;
 }  // namespace
 
 void catch_interrupts(const std::filesystem::path& unfinished_file) {
+  looked_at = 0;
   const std::string& path = unfinished_file.native();
   if (path.size() < sizeof unfinished) std::strcpy(unfinished, path.c_str());
   std::signal(SIGINT, on_signal);

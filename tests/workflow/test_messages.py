@@ -66,7 +66,7 @@ def test_a_planned_ellipsoid_has_the_radius_of_its_axes(tmp_path):
     ellipsoid = {"shape": "ellipsoid", "semi_axes_um": [5, 3, 1.5]}
     path = tmp_path / "case.json"
     path.write_text(json.dumps(planning.resolved({"scene": "passage", "cell": ellipsoid}, schema)), "utf-8")
-    checked = solver("check", path)
+    checked = solver("check", "--json", path)
     assert json.loads(checked.stdout)["case"]["cell"]["radius_um"] == 5
     assert "warning" not in checked.stderr
 
