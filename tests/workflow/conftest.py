@@ -9,6 +9,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy; several threads slow small matrices down
+
 import fake_solver
 import matplotlib as mpl
 import matplotlib.pyplot as plt
@@ -19,7 +21,6 @@ from study.planning.brackets import at_value, bracket
 
 mpl.use("Agg")
 
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # several threads slow small matrices down
 ROOT = Path(__file__).resolve().parents[2]
 
 

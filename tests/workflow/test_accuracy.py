@@ -105,7 +105,8 @@ def test_rules_for_the_class_count_wrong_answers_and_the_work_up_to_the_line():
 
 
 def test_second_starts_count_changed_classes():
-    point = {"dx_um": 0.4, "lateral_flow": "free", "skalak_denominator": 12, "capillary_number": 0.5}
+    point = {"device": "circle", "cell": "healthy", "dx_um": 0.4, "lateral_flow": "free"}
+    point |= {"skalak_denominator": 12, "capillary_number": 0.5}
     pairs = [(4.4, "displaced", "displaced"), (6.0, "displaced", "zigzag"), (6.8, "undecided", "zigzag")]
     rows = [
         point | {"row_shift_um": shift, "sweep": sweep, "class": label}

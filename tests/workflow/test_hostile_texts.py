@@ -84,7 +84,7 @@ def page(root):
     """The rows of verdicts of the report's template."""
     folder = root / "workflow/templates"
     source = (folder / "report.html.j2").read_text(encoding="utf-8")
-    part = source[source.index("{% for row in verdicts %}") :].split("{% endfor %}")[0] + "{% endfor %}"
+    part = source[source.index("{% for row in verdicts %}") :].split("</tbody>")[0]
     return Environment(loader=FileSystemLoader(folder), autoescape=True).from_string(part)
 
 

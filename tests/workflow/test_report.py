@@ -10,6 +10,7 @@ import tomllib
 import pandas as pd
 import pytest
 from PIL import Image
+from programs import program
 from study.paper.report_evidence import EVIDENCE, set_in_words
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
@@ -213,7 +214,7 @@ def test_every_claim_rests_on_a_figure_and_a_table_of_the_report(root):
     captions = tomllib.loads((root / "workflow/templates/figures.toml").read_text(encoding="utf-8"))[
         "captions"
     ]
-    shown = (root / "workflow/scripts/report.py").read_text(encoding="utf-8")
+    shown = program("report").read_text(encoding="utf-8")
     for figure, table in EVIDENCE.values():
         assert figure in captions
         assert f'"{table}": (' in shown

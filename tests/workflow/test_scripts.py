@@ -177,7 +177,7 @@ def test_verdicts(tables, results, call, root):
     assert set(table.filter(like="verdict").to_numpy().ravel()) <= set(GRADES)
     assert all(f"(`{name}`)" in markdown.read_text() for name in verdict.index)
     assert ("a test of the rules, no result" in markdown.read_text()) == (tier == "smoke")
-    assert table.check.str.startswith("study.claims_").all()
+    assert table.check.str.startswith("study.paper.claims_").all()
     drawn = {path.stem for path in (root / "results/figures").glob("*.png")}
     assert set(table.figure.dropna()) <= drawn
     assert table.tables.notna().all()

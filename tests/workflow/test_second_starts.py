@@ -3,7 +3,14 @@
 import pandas as pd
 from study.analysis.second_starts import end_pairs, grid_pairs, rows_of
 
-POINT = {"dx_um": 0.4, "lateral_flow": "free", "skalak_denominator": 12, "capillary_number": 0.5}
+POINT = {
+    "device": "circle",
+    "cell": "healthy",
+    "dx_um": 0.4,
+    "lateral_flow": "free",
+    "skalak_denominator": 12,
+    "capillary_number": 0.5,
+}
 
 
 def passages(*pairs):

@@ -47,7 +47,7 @@ case = case_of_run(arguments.run, passages, plan)
 runs = Path(arguments.runs) / hashlib.sha256(Path(arguments.dld).read_bytes()).hexdigest()[:12]
 solved(case, plan["solver_model"], runs, arguments.runner, arguments.dld)
 committed = passages[passages.run == arguments.run]
-labels = {"sweep": committed.iloc[0]["sweep"]} if len(committed) else {}
+labels = committed.iloc[0][["sweep", "device", "cell"]].to_dict() if len(committed) else {}
 run = Run(arguments.run, "", labels, case, runs / arguments.run)
 result = (
     passage(committed.iloc[0].to_dict(), run)
