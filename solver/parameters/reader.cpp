@@ -165,9 +165,16 @@ const Json* section_object(const Json& root, const std::string& section, std::ve
 void check_names(const Json& object, const std::string& section, const Case& c,
                  std::vector<Problem>& problems) {
   const auto known = known_names(section);
+  constexpr int most = 50;  // advice on each of many is no help, and takes long
+  int unknown = 0;
+  const nlohmann::json::json_pointer pointer((section.empty() ? "" : "/" + section));
   for (const auto& [name, value] : object.items()) {
     if (std::ranges::find(known, name) != known.end()) continue;
-    const nlohmann::json::json_pointer pointer((section.empty() ? "" : "/" + section));
+    if (++unknown > most) {
+      problems.push_back({pointer.to_string(), "", "one of the names " + joined(known),
+                          "there are more unknown names than these " + std::to_string(most)});
+      return;
+    }
     problems.push_back({(pointer / name).to_string(), value.dump(), "one of the names " + joined(known),
                         unknown_name_advice(name, value, known, c)});
   }
