@@ -48,6 +48,7 @@ def main():
         draw_brackets(axes, boundary[(boundary.device == device) & (boundary.cell == cell)])
         axes.set_title(f"{sweep}\n{device}, {cell}")
         axes.set_xscale("log")
+        style.log_numbers(axes.xaxis, grids.capillary_number.min(), grids.capillary_number.max())
     for axes in panels.flat[len(sweeps) :]:
         axes.set_axis_off()
     for axes in panels[-1]:

@@ -26,6 +26,7 @@ def main():
         axes.text(0.5, 0.5, "no window: see the page of the study", ha="center", transform=axes.transAxes)
     else:
         axes.set_xscale("log")
+        style.log_numbers(axes.xaxis, table.from_bar_per_m.min(), table.to_bar_per_m.max())
     axes.set_xlabel("pressure gradient (bar/m = mbar/mm)")
     axes.set_ylabel("row shift d (µm)")
     style.legend_below(figure, 1)

@@ -11,6 +11,7 @@ from study.drawing.pictures import png_with_palette
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.text import Text
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter
 
 #: Print widths in inches, one column and the full page of the article, which shows figures at their own size.
 COLUMN, PAGE = 3.25, 6.7
@@ -106,6 +107,14 @@ def save(figure, pdf_path, note=""):
     figure.savefig(pixels, format="png", dpi=min(300, WIDEST_PNG / figure.get_figwidth()))
     path.with_suffix(".png").write_bytes(png_with_palette(Image.open(pixels)))
     plt.close(figure)
+
+
+def log_numbers(axis, low, high):
+    """A logarithmic axis of less than two decades with plain numbers at 1, 2 and 5."""
+    values = [digit * 10.0**power for power in range(-3, 4) for digit in (1, 2, 5)]
+    axis.set_major_locator(FixedLocator([value for value in values if 0.9 * low <= value <= 1.1 * high]))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_minor_formatter(NullFormatter())
 
 
 def legend_below(figure, ncols, **options):
