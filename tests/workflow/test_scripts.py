@@ -282,7 +282,8 @@ def test_figures_are_made_and_the_same_byte_for_byte(tables, results, call, call
         plan, runs = {"plan": results / "plan.json"}, {"runs": results / "runs"}
         shapes = {name: folder / f"{name}.csv" for name in ("fig03", "fig05", "faces")}
         folder.mkdir()
-        call("array_lines", **plan, **runs, output=folder / "fig01.csv")
+        # A streamline that nears a stagnation point turns with the rounding of the libraries of its process.
+        call_apart("array_lines", **plan, **runs, output=folder / "fig01.csv")
         call("fig01_array", **plan, lines=folder / "fig01.csv", output=folder / "fig01.pdf")
         call("fig02_geometry", **plan, csv=folder / "fig02.csv", output=folder / "fig02.pdf")
         call("cell_shapes", **plan, **runs, **shapes)

@@ -22,7 +22,7 @@ SHORT = {
         "scene": "shear",
         "fluid": {"lattice_spacing_um": 1},
         "cell": SPHERE | {"viscosity_update_interval": 7},
-        "shear": {"duration": 1, "box_um": 20},
+        "shear": {"duration": 4, "box_um": 20},
     },
     "coupled stretching": {
         "scene": "stretching",

@@ -5,6 +5,7 @@ import subprocess
 import sys
 
 import pandas as pd
+import programs
 import pytest
 from study.analysis.passages import COLUMNS, row_of
 from study.analysis.runs import passage_runs
@@ -110,7 +111,7 @@ def test_the_programs_make_a_run_again_and_fail_where_it_comes_out_otherwise(
         call("spot_run", **given, runner=scripts / "run_case", run=run, output=tmp_path / f"{run}.json")
 
     def checked(*arguments):
-        command = [sys.executable, program("spot_check"), *arguments]
+        command = [sys.executable, programs.program("spot_check"), *arguments]
         environment = {"PYTHONPATH": str(root / "workflow"), "PATH": "/usr/bin:/bin"}
         return subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
 
