@@ -10,7 +10,7 @@ import ezdxf
 import gdstk
 import pytest
 from ezdxf import units
-from study.validation import violations
+from study.planning.validation import violations
 
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPT = ROOT / "workflow/scripts/planning/outline_from_cad.py"

@@ -48,7 +48,10 @@ LONG = {
         "channel": {"width_um": 40},
     },
     "shear": merged(SHORT["shear"], {"shear": {"duration": 1e6}, "stop": {"max_steps": 10**12}}),
-    "coupled stretching": merged(SHORT["coupled stretching"], {"stop": {"max_steps": 10**12}}),
+    "coupled stretching": merged(
+        SHORT["coupled stretching"],
+        {"stop": {"max_steps": 10**12}, "stretching": {"forces_pN": list(range(20, 120))}},
+    ),
     "static stretching": merged(SHORT["static stretching"], {"cell": {"mesh_frequency": 80}}),
 }
 
@@ -70,7 +73,7 @@ def stopped_again_and_again(words, seed, times=12):
         with subprocess.Popen(words, stderr=subprocess.DEVNULL) as running:
             number = choose.choice([signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
             try:
-                running.wait(choose.uniform(0.1, 0.4) if stops < times else None)
+                running.wait(choose.uniform(0.03, 0.12) if stops < times else None)
             except subprocess.TimeoutExpired:
                 running.send_signal(number)
                 stops += 1
