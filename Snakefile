@@ -25,7 +25,7 @@ from study.planning.failures import failed_runs, forget
 from study.planning.folders import PAPER, results_folder, study_file
 from study.planning.lock import Busy, only_looks, taken
 from study.planning.modules import modules_of
-from study.planning.plan import SCHEMAS, ids, load_plan, load_study, read_json, study_brackets, validated, write_plan
+from study.planning.plan import SCHEMAS, ids, load_study, make_plan, read_json, study_brackets, validated, write_plan
 from study.planning.points import STUDY_GROUPS
 from study.planning.validation import hint
 
@@ -37,7 +37,7 @@ STUDY = study_file(str(config.get("study", PAPER)))
 STUDY_TEXT = load_study(STUDY)
 TIER = str(config.get("tier", next(iter(STUDY_TEXT["tiers"]))))
 CASE_SCHEMA = read_json(SCHEMAS / "case.schema.json")
-PLAN = load_plan(STUDY, TIER)
+PLAN = make_plan(STUDY_TEXT, TIER, CASE_SCHEMA)
 RESULTS = results_folder(STUDY, TIER, STUDY_TEXT["tiers"])
 RUNS = "results/runs"  # shared by all studies and tiers: a run's name is its case
 PLANNED = [run["id"] for run in PLAN["runs"]]

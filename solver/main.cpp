@@ -31,7 +31,6 @@
 #include "parameters/report.hpp"
 #include "parameters/resolve.hpp"
 #include "parameters/text.hpp"
-#include "parameters/work.hpp"
 #include "scene/registry.hpp"
 
 namespace {

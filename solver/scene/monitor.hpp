@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "coupling/coupled_cell.hpp"
 #include "fluid/lattice.hpp"
 #include "geometry/pillar_array.hpp"
 #include "membrane/membrane.hpp"
@@ -42,6 +43,18 @@ struct CellView {
   const PillarArray* pillars = nullptr;  ///< for the place of the node that is in one
   double um_per_lu = 1;
 };
+
+/// The view of a cell whose membrane has this state, without pillars.
+template <class Real>
+CellView view_of(const CoupledCell<Real>& cell, const Membrane& membrane, const MembraneState& state,
+                 double um_per_lu) {
+  return {.membrane = membrane,
+          .positions = cell.positions(),
+          .velocities = cell.velocities(),
+          .state = state,
+          .speed = cell.max_speed(),
+          .um_per_lu = um_per_lu};
+}
 
 /// A membrane in its surroundings: speed, volume, area, smallest face, pillars.
 std::optional<Failure> check_membrane(const CellView& cell, const MonitorLimits& limits = {});

@@ -169,14 +169,10 @@ class PassageRun {
   }
 
   CellView view(const MembraneState& state) const {
-    return {.membrane = membrane_,
-            .positions = cell_->positions(),
-            .velocities = cell_->velocities(),
-            .state = state,
-            .speed = cell_->max_speed(),
-            .film = cell_->film(),
-            .pillars = &device_.pillars(),
-            .um_per_lu = l_.um_per_lu};
+    CellView view = view_of(*cell_, membrane_, state, l_.um_per_lu);
+    view.film = cell_->film();
+    view.pillars = &device_.pillars();
+    return view;
   }
 
   /// Measures cell and membrane, follows the passage of the current pillar line.

@@ -91,13 +91,8 @@ Status run(const Case& c, RunContext& context) {
                      membrane.measure(cell.positions()).volume / membrane.reference_volume() - 1.0});
     }
     if (done % interval == 0 || done % longest_watch == 0) {
-      const CellView view{.membrane = membrane,
-                          .positions = cell.positions(),
-                          .velocities = cell.velocities(),
-                          .state = membrane.measure(cell.positions()),
-                          .speed = cell.max_speed(),
-                          .um_per_lu = l.um_per_lu};
-      if (const auto failure = check_membrane(view)) {
+      const MembraneState state = membrane.measure(cell.positions());
+      if (const auto failure = check_membrane(view_of(cell, membrane, state, l.um_per_lu))) {
         report_failure(*failure, done, context.summary);
         status = Status::diverged;
       }

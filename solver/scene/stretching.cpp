@@ -162,13 +162,8 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
       cell.step();
       ++steps;
       if (steps % interval != 0) continue;
-      const CellView view{.membrane = membrane,
-                          .positions = cell.positions(),
-                          .velocities = cell.velocities(),
-                          .state = membrane.measure(cell.positions()),
-                          .speed = cell.max_speed(),
-                          .um_per_lu = l.um_per_lu};
-      if (const auto failure = check_membrane(view)) {
+      const MembraneState state = membrane.measure(cell.positions());
+      if (const auto failure = check_membrane(view_of(cell, membrane, state, l.um_per_lu))) {
         report_failure(*failure, steps, context.summary);
         status = Status::diverged;
         break;

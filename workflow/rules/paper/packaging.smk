@@ -5,7 +5,6 @@ software.cdx.json is the list of the software with versions, hashes and licences
 says what each file of the results is, with its checksum (RO-Crate 1.1); it describes what is there when it is made.
 """
 
-from study.planning.plan import load_study
 
 
 rule software_list:
@@ -37,7 +36,7 @@ rule crate:
         f"{LOGS}/crate.log",
     params:
         results=RESULTS,
-        tiers=sorted(load_study(STUDY)["tiers"]),
+        tiers=sorted(STUDY_TEXT["tiers"]),
     shell:
         "python {input.script} --results {params.results} --tiers {params.tiers} 2> {log}"
 

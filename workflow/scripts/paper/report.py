@@ -6,13 +6,13 @@ from collections import Counter
 from pathlib import Path
 
 import pandas as pd
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from study.analysis.arguments import required_arguments
 from study.analysis.tables import read_table
 from study.paper import report, report_evidence
 from study.paper.claims import load_claims
 from study.paper.claims_page import column_of
 from study.paper.grades import GRADES
+from study.paper.templates import filled
 from study.planning.plan import read_json
 
 #: Tables shown under the figures where the tier has them: title and most rows shown.
@@ -96,15 +96,7 @@ def context(arguments):
 def main():
     names = "plan tables figures verdicts claims trajectories provenance captions template output"
     arguments = required_arguments(__doc__, *names.split())
-    template = Path(arguments.template)
-    environment = Environment(
-        loader=FileSystemLoader(template.parent),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    page = environment.get_template(template.name).render(context(arguments))
+    page = filled(arguments.template, context(arguments), autoescape=True)
     Path(arguments.output).write_text(page, encoding="utf-8")
 
 

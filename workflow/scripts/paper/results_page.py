@@ -5,11 +5,11 @@ import tomllib
 from pathlib import Path
 
 import pandas as pd
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from study.analysis.arguments import required_arguments
 from study.analysis.tables import read_table
 from study.paper import results_page
 from study.paper.claims import SWEEP
+from study.paper.templates import filled
 from study.planning.plan import read_json
 
 
@@ -49,15 +49,7 @@ def context(arguments):
 def main():
     names = ["plan", "results", "verdicts", "claims", "numbers", "template", "root", "output"]
     arguments = required_arguments(__doc__, *names)
-    template = Path(arguments.template)
-    environment = Environment(
-        loader=FileSystemLoader(template.parent),
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.keep_trailing_newline = True
-    page = environment.get_template(template.name).render(context(arguments))
+    page = filled(arguments.template, context(arguments), keep_trailing_newline=True)
     Path(arguments.output).write_text(page, encoding="utf-8")
 
 

@@ -48,11 +48,15 @@ def drawn(table, count, seed, most_node_updates):
     return random.Random(seed).sample(runs, min(count, len(runs)))
 
 
+def planned_case(identity, plan):
+    """The resolved case of a run that the plan knows beforehand; None if it is not among them."""
+    return next((run["case"] for run in plan["runs"] if run["id"] == identity), None)
+
+
 def case_of(row, plan):
     """The resolved case of a row of the table of passages; a ValueError if the study has no such run."""
-    for run in plan["runs"]:
-        if run["id"] == row["run"]:
-            return run["case"]
+    if case := planned_case(row["run"], plan):
+        return case
     for bracket in plan["brackets"].values():
         case = at_value(bracket["case"], bracket["axis"], float(row[bracket["axis"]]))
         if run_id(case, plan["solver_model"]) == row["run"]:

@@ -5,7 +5,7 @@ the numbers of their rows. A run that stands in no table by itself, such as thos
 compared with the study's own run where that is there.
 """
 
-from study.analysis.spot_check import ALIKE, CLOSE, OTHER, SAME, case_of
+from study.analysis.spot_check import ALIKE, CLOSE, OTHER, SAME, case_of, planned_case
 
 #: Table of a scene: its numbers by the key of the summary, with their format.
 NUMBERS = {
@@ -35,7 +35,7 @@ def case_of_run(run, passages, plan):
     rows = passages[passages.run == run]
     if len(rows):
         return case_of(rows.iloc[0].to_dict(), plan)
-    found = next((one["case"] for one in plan["runs"] if one["id"] == run), None)
+    found = planned_case(run, plan)
     if found is None:
         raise ValueError(f"run {run} is in no table of passages and not in params/studies/krueger2014.json")
     return found

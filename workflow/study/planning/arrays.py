@@ -1,8 +1,6 @@
 """The devices and cells of a study: what a section of the study says about them becomes part of a case."""
 
-import json
-
-from study.planning.validation import hint
+from study.planning.validation import hint, load_json
 
 
 def case_parts(study, folder):
@@ -15,7 +13,7 @@ def case_parts(study, folder):
             known = sorted(path.stem for path in folder.glob("*.json"))
             if kind not in known:
                 raise ValueError(f"/cells/{name}/type: there is no cell '{kind}'; {hint(kind, known)}")
-            below = json.loads((folder / f"{kind}.json").read_text(encoding="utf-8"))["cell"]
+            below = load_json(folder / f"{kind}.json")["cell"]
         cells[name] = {"cell": below | entry.get("cell", {})}
     return {
         "devices": {name: {"geometry": geometry} for name, geometry in study["devices"].items()},
