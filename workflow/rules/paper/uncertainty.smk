@@ -4,7 +4,10 @@ Its brackets have lattices of half the spacing and take hours; the study does wi
 """
 
 UNCERTAINTY_TABLE = f"{TABLES}/boundary_uncertainty.csv"
-UNCERTAINTY_FIGURE = multiext(f"{FIGURES}/boundary_uncertainty", ".pdf", ".png", ".csv")
+LATTICES_TABLE = f"{TABLES}/boundary_lattices.csv"
+UNCERTAINTY_FIGURE = expand(
+    f"{FIGURES}/boundary_{{name}}.{{suffix}}", name=["uncertainty", "lattices"], suffix=["pdf", "png", "csv"]
+)
 
 
 rule uncertainty_table:
@@ -41,7 +44,46 @@ rule figure_uncertainty:
         """
 
 
+rule lattices_table:
+    input:
+        boundary=rules.boundary_tables.output.boundary,
+        uncertainty=rules.uncertainty_table.output,
+        claims=CLAIMS,
+        script=f"{SCRIPTS}/analysis/boundary_lattices.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/boundary_lattices.py"),
+    output:
+        LATTICES_TABLE,
+    log:
+        f"{LOGS}/boundary_lattices.log",
+    shell:
+        """
+        python {input.script} --boundary {input.boundary} --uncertainty {input.uncertainty} --claims {input.claims} \
+            --output {output} 2> {log}
+        """
+
+
+rule figure_lattices:
+    input:
+        plan=PLAN_FILE,
+        boundary=rules.boundary_tables.output.boundary,
+        uncertainty=rules.uncertainty_table.output,
+        laws=rules.lattices_table.output,
+        claims=CLAIMS,
+        script=f"{SCRIPTS}/drawing/fig_boundary_lattices.py",
+        modules=modules_of(f"{SCRIPTS}/drawing/fig_boundary_lattices.py"),
+    output:
+        multiext(f"{FIGURES}/boundary_lattices", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        f"{LOGS}/fig_boundary_lattices.log",
+    shell:
+        """
+        python {input.script} --plan {input.plan} --boundary {input.boundary} --uncertainty {input.uncertainty} \
+            --laws {input.laws} --claims {input.claims} --csv {output.csv} --output {output.pdf} 2> {log}
+        """
+
+
 rule uncertainty:
     input:
         UNCERTAINTY_TABLE,
+        LATTICES_TABLE,
         UNCERTAINTY_FIGURE,

@@ -1,6 +1,6 @@
 """How sure the boundary is: the bracket of the critical capillary number with one thing changed (blue), over
-that of the series that the change is made to (grey), one panel a row shift; the dashed line is the paper's
-Eq. (5). Arrows are open ends: the boundary lies beyond."""
+that of the series that the change is made to (grey), one panel a row shift with several changes; the dashed
+line is the paper's Eq. (5). Arrows are open ends: the boundary lies beyond."""
 
 import numpy as np
 from study.analysis.arguments import figure_arguments
@@ -18,6 +18,7 @@ STYLES = {"row_shift_um": ".1f", "change_percent": ".1f", "printed_ca": ".3f"}
 STYLES |= dict.fromkeys([*UNDISPUTED, *REFERENCE], ".4g")
 TICKS = np.array([0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.5, 2.0])
 ARROW = {"arrowstyle": "->,head_width=0.25", "lw": 1.2, "shrinkA": 0, "shrinkB": 0}
+FEWEST = 3  # changes at a row shift that has a panel
 MARGIN = 1.25  # a panel reaches this factor beyond the outermost end; so does an arrow from its end
 
 
@@ -60,7 +61,9 @@ def draw(table, labels):
     """The figure: a panel for every row shift, the largest first; a line for every change (cause, setting),
     the first on top."""
     labels = [label for label in labels if label in set(zip(table.cause, table.setting, strict=True))][::-1]
-    shifts = sorted(set(table.row_shift_um), reverse=True)
+    shifts = sorted(
+        (shift for shift, rows in table.groupby("row_shift_um") if len(rows) >= FEWEST), reverse=True
+    )
     figure = style.new_figure(style.PAGE, 1.2 + 0.18 * max(len(labels), 4))
     panels = figure.subplots(1, max(len(shifts), 1), sharey=True, squeeze=False)[0]
     for axes, shift in zip(panels, shifts, strict=bool(shifts)):
