@@ -43,6 +43,8 @@ def test_speed_against_accuracy_judges_by_the_reference(tmp_path, call):
     error = {"method": "preset", "setting": "draft", "error_kind": "D_perp, relative", "seconds": 3.0}
     errors = [error | {"point": point, "error": size} for point, size in (("d = 4.8", 0.02), ("all", 0.5))]
     made["accuracy"] = pd.DataFrame(errors).assign(reference_uncertainty=0.01)
+    flat = [("depth-averaged flow", d, 0.5 * d**0.9, 1.3) for d in (3.2, 8.0)]
+    made["cheap"] = pd.DataFrame(flat, columns=["method", "row_shift_um", "s_um", "seconds"])
     files = {}
     for name, table in made.items():
         files[name] = tmp_path / f"{name}.csv"
@@ -58,5 +60,9 @@ def test_speed_against_accuracy_judges_by_the_reference(tmp_path, call):
     assert standard.minutes["stiff"] == pytest.approx(0.2)
     rule = drawn.loc[("critical Ca", "rule, printed law", "stiff")]
     assert rule.error == pytest.approx(1 - 0.2 / 0.25)
+    passed = 0.1 * 4 ** ((7.0 - 6.8**0.9) / 2.0)  # the diameter falls from 7 to 5 um, linearly in ln Ca
+    rule = drawn.loc[("critical Ca", "rule, 2D flow", "stiff")]
+    assert rule.error == pytest.approx(passed / 0.25 - 1, abs=1e-3)
+    assert rule.minutes == pytest.approx((1.5 + 1.3) / 60, rel=1e-2)
     assert drawn.loc[("D_perp", "draft", "all")].error == pytest.approx(0.02)
     assert drawn.loc[("D_perp", "stretched cell", "all")].error == pytest.approx(1 - 5 / 5.5, abs=1e-3)

@@ -171,6 +171,7 @@ rule figure_speed_accuracy:
         uncertainty=rules.uncertainty_table.output,
         a_priori=rules.a_priori.output.table,
         times=rules.stage_times.output,
+        cheap=rules.accuracy_cheap_models.output,
         script=f"{SCRIPTS}/drawing/fig_speed_accuracy.py",
         modules=modules_of(f"{SCRIPTS}/drawing/fig_speed_accuracy.py"),
     output:
@@ -181,7 +182,7 @@ rule figure_speed_accuracy:
         """
         python {input.script} --plan {input.plan} --accuracy {input.accuracy} --boundary {input.boundary} \
             --uncertainty {input.uncertainty} --a-priori {input.a_priori} --times {input.times} \
-            --csv {output.csv} --output {output.pdf} 2> {log}
+            --cheap {input.cheap} --csv {output.csv} --output {output.pdf} 2> {log}
         """
 
 

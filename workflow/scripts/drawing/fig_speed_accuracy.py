@@ -5,7 +5,8 @@ the frontier, the grey band the error of the preset by which the others are judg
 (a) The largest relative difference of the middle of the bracket from that of `reference`, over the row
 shifts of d = 6 um and more (filled, stiff cells) and over those below (open, soft cells); a triangle is
 a bracket that is open, whose difference is at least that large. The band is half the widest bracket of
-`reference`. A rule has its boundary where the tweezer's diameter of the grid passes 2 s. (b) The
+`reference`. A rule has its boundary where the tweezer's diameter of the grid passes 2 s: s of the printed
+law, of the simulated flow (3D) or of the depth-averaged one (2D). (b) The
 largest relative error of D_perp over the points of the accuracy study; of the tweezer's diameter over
 the displaced cells of the grid.
 """
@@ -26,8 +27,9 @@ COLUMNS = ["quantity", "name", "cells", "minutes", "error", "at_least", "band"]
 PRESETS = {"draft": "draft", "default": "standard", "corrected": "corrected", "refined": "refined"}
 PRESETS |= {"reference": "reference"}
 REFERENCE, STIFF_FROM_UM = "reference", 6.0
-#: Rules without a passage: column of the extent they compare, column that it has to exceed, and name.
-RULES = {"rule, printed law": "printed_d_cr_um", "rule, own flow": "s_um"}
+#: Rules without a passage: name, and the size (um) that the extent of the stretched cell has to exceed.
+RULES = {"rule, printed law": "printed_d_cr_um", "rule, 3D flow": "s_um", "rule, 2D flow": "s_flat_um"}
+FLAT = "depth-averaged flow"
 
 
 def middles(brackets):
@@ -47,7 +49,7 @@ def rule_middles(grid, column):
     found = {}
     for shift, cells in grid.groupby("row_shift_um"):
         cells = cells.sort_values("capillary_number").drop_duplicates("capillary_number")
-        size = cells[column] * (2 if column == "s_um" else 1)
+        size = cells[column] * (2 if column.startswith("s_") else 1)
         excess = (cells.tweezer_um - size).to_numpy()
         numbers = np.log(cells.capillary_number.to_numpy())
         for k in np.flatnonzero((excess[:-1] > 0) & (excess[1:] <= 0))[:1]:
@@ -77,22 +79,38 @@ def bracket_times(times):
     return dict(zip(rows.part, rows.median_s / 60, strict=True))
 
 
-def rule_minutes(a_priori, times):
+def flat_separation(cheap, row_shifts):
+    """(s in um at these row shifts, seconds) of the depth-averaged flow on its finest grid, from the power law
+    through its points; (None, None) without two of them."""
+    flat = cheap[cheap.method == FLAT].drop_duplicates("row_shift_um", keep="last")
+    if len(flat) < 2:
+        return None, None
+    slope, level = np.polyfit(np.log(flat.row_shift_um), np.log(flat.s_um), 1)
+    return np.exp(level + slope * np.log(row_shifts)), flat.seconds.max()
+
+
+def rule_minutes(a_priori, times, flat_seconds):
     """Minutes that a rule takes: stretched cells for the diameter, the flow for s."""
     stretching = times[times.stage == "stretching"].median_s
     flow = times[(times.stage == "streamlines") & (times.part == a_priori.s_variant.iloc[0])].median_s
-    cell = stretching.min() / 60 if len(stretching) else None
-    return {
-        "rule, printed law": cell,
-        "rule, own flow": cell + flow.iloc[0] / 60 if cell and len(flow) else cell,
-    }
+    if not len(stretching):
+        return {}
+    cell = stretching.min()
+    seconds = {"rule, printed law": cell}
+    if len(flow):
+        seconds["rule, 3D flow"] = cell + flow.iloc[0]
+    if flat_seconds:
+        seconds["rule, 2D flow"] = cell + flat_seconds
+    return {name: value / 60 for name, value in seconds.items()}
 
 
-def collect(accuracy, boundary, a_priori, times):
+def collect(accuracy, boundary, a_priori, times, cheap):
     """All rows of the figure."""
     minutes, known = bracket_times(times), dict(list(boundary.groupby("series")))
     grid = a_priori[a_priori.sweep == SWEEP]
-    rules = rule_minutes(grid, times) if len(grid) else {}
+    flat, flat_seconds = flat_separation(cheap, grid.row_shift_um)
+    grid = grid.assign(s_flat_um=flat)
+    rules = rule_minutes(grid, times, flat_seconds) if len(grid) else {}
     if REFERENCE in known:
         truth = middles(known[REFERENCE])
         for series, preset in PRESETS.items():
@@ -164,11 +182,11 @@ def draw(axes, rows):
 
 
 def main():
-    arguments = figure_arguments(__doc__, "accuracy", "boundary", "uncertainty", "a-priori", "times")
+    arguments = figure_arguments(__doc__, "accuracy", "boundary", "uncertainty", "a-priori", "times", "cheap")
     plan = read_json(arguments.plan)
     boundary = read_table(arguments.boundary)[["series", "row_shift_um", *UNDISPUTED]]
     others = read_table(arguments.uncertainty)[["series", "row_shift_um", *UNDISPUTED]]
-    named = {"accuracy": arguments.accuracy, "a_priori": arguments.a_priori, "times": arguments.times}
+    named = {name: getattr(arguments, name) for name in ("accuracy", "a_priori", "times", "cheap")}
     tables = {name: read_table(path) for name, path in named.items()}
     boundary = pd.concat([boundary, others]).drop_duplicates(["series", "row_shift_um"])
     rows = list(collect(boundary=boundary, **tables))
