@@ -80,7 +80,7 @@ def bracket_times(times):
 
 
 def flat_separation(cheap, row_shifts):
-    """(s in um at these row shifts, seconds) of the depth-averaged flow on its finest grid, from the power law
+    """(s in um at these row shifts, seconds) of the depth-averaged flow on its finest grid: the power law
     through its points; (None, None) without two of them."""
     flat = cheap[cheap.method == FLAT].drop_duplicates("row_shift_um", keep="last")
     if len(flat) < 2:
