@@ -1,6 +1,7 @@
 """What the boundary depends on: brackets with one thing changed against those without the change."""
 
 import json
+import math
 
 import pandas as pd
 import pytest
@@ -70,6 +71,34 @@ def test_an_open_bracket_bounds_the_change_on_one_side(made):
 def test_only_row_shifts_at_which_the_target_changes_something_are_told(made):
     assert set(made[0].row_shift_um) == {6.0, 6.8}
     assert list(made[0].cause) == ["law", "law", "kernel"]  # at one row shift in the order of the study
+
+
+def test_the_law_on_a_finer_lattice_is_compared_with_the_print(tmp_path, call, root):
+    def brackets(series, law):
+        for shift in (4.4, 5.2, 6.0, 6.8, 7.2):
+            critical = -math.log((shift - law[0]) / law[1]) / law[2]
+            yield {"series": series, "row_shift_um": shift} | dict(
+                zip(UNDISPUTED, (0.99 * critical, 1.01 * critical), strict=True)
+            )
+
+    study = pd.DataFrame(list(brackets("default", (3.4, 5.4, 1.72))))  # the printed law, half a um higher
+    finer = pd.DataFrame(list(brackets("refined", (2.9, 5.4, 1.72))))
+    study.to_csv(tmp_path / "study.csv", index=False)
+    pd.concat([finer, finer]).to_csv(tmp_path / "uncertainty.csv", index=False)  # two causes with one series
+    files = {"boundary": tmp_path / "study.csv", "uncertainty": tmp_path / "uncertainty.csv"}
+    files["claims"] = root / "params/claims.json"
+    table = tmp_path / "laws.csv"
+    call("boundary_lattices", **files, output=table)
+    rows = pd.read_csv(table).set_index("series")
+    assert rows.largest_distance_um["default"] == pytest.approx(0.5, abs=0.03)
+    assert rows.largest_distance_um["refined"] < 0.03
+    assert rows.brackets["refined"] == 5 and rows.brackets["reference"] == 0
+    assert pd.isna(rows.offset_um["reference"])
+    (tmp_path / "plan.json").write_text(json.dumps({"note": ""}), encoding="utf-8")
+    drawn = {"csv": tmp_path / "drawn.csv", "output": tmp_path / "drawn.pdf"}
+    call("fig_boundary_lattices", plan=tmp_path / "plan.json", **files, laws=table, **drawn)
+    curves = pd.read_csv(tmp_path / "drawn.csv").query("kind == 'law'")
+    assert set(curves.series) == {"default", "refined", "paper"}
 
 
 def test_the_figure_states_the_printed_boundary_beside_every_bracket(made):

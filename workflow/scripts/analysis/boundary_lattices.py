@@ -17,8 +17,9 @@ SERIES = {
 }
 RANGE = np.linspace(0.1, 0.7, 61)  # capillary numbers over which two laws are compared
 BOUNDS = [f"{name}_{end}" for name in PARAMETERS for end in ("low", "high")]
+CAPILLARY = ["from_ca", "to_ca", "at_ca"]
 COLUMNS = ["series", "lattice_um", "kernel", "brackets", *PARAMETERS, *BOUNDS, "scatter_um"]
-COLUMNS += ["largest_distance_um", "at_ca"]
+COLUMNS += ["from_ca", "to_ca", "largest_distance_um", "at_ca"]
 
 
 def brackets(study, uncertainty, series):
@@ -39,7 +40,8 @@ def row_of(series, found, count, printed):
     row |= dict(zip(BOUNDS, np.column_stack([low, high]).ravel(), strict=True))
     distance = law(values, RANGE) - law(printed, RANGE)
     largest = int(np.argmax(np.abs(distance)))
-    return row | {"largest_distance_um": distance[largest], "at_ca": RANGE[largest]}
+    row |= {"from_ca": RANGE[0], "to_ca": RANGE[-1]}
+    return row | {"largest_distance_um": abs(distance[largest]), "at_ca": RANGE[largest]}
 
 
 def main():
@@ -53,7 +55,7 @@ def main():
         count = int((~np.isnan(low + high)).sum())
         rows.append(row_of(series, fit_boundary(shifts, low, high), count, printed))
     styles = dict.fromkeys([*PARAMETERS, *BOUNDS, "scatter_um", "largest_distance_um"], ".3f")
-    write_table(rows, COLUMNS, arguments.output, styles=styles | {"at_ca": ".2f"})
+    write_table(rows, COLUMNS, arguments.output, styles=styles | dict.fromkeys(CAPILLARY, ".2f"))
 
 
 main()

@@ -18,7 +18,7 @@ STYLES = {"row_shift_um": ".1f", "change_percent": ".1f", "printed_ca": ".3f"}
 STYLES |= dict.fromkeys([*UNDISPUTED, *REFERENCE], ".4g")
 TICKS = np.array([0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.5, 2.0])
 ARROW = {"arrowstyle": "->,head_width=0.25", "lw": 1.2, "shrinkA": 0, "shrinkB": 0}
-FEWEST = 3  # changes at a row shift that has a panel
+FEWEST = 0.25  # of the changes of the row shift that has most: with fewer there is no panel
 MARGIN = 1.25  # a panel reaches this factor beyond the outermost end; so does an arrow from its end
 
 
