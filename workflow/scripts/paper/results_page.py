@@ -40,6 +40,7 @@ def context(arguments):
         "readings": results_page.readings(printed["readings"]),
         "doubts": results_page.doubts(uncertainty),
         "uncertain": uncertainty is not None,
+        "lattices": results_page.lattices(found.get("boundary_lattices")),
         "starts": results_page.starts(found["second_starts"]),
         "rules": results_page.rules(found["a_priori_summary"]),
         "times": results_page.times(found["stage_times"]),

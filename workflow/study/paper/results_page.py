@@ -95,6 +95,16 @@ def doubts(table):
     return "\n".join(markdown_table(titles, lines))
 
 
+def lattices(table):
+    """Largest distance (um) from the printed law by series, and up to which capillary number; None where the
+    finer lattice has no law yet."""
+    if table is None or table.set_index("series").largest_distance_um.isna().get("refined", True):
+        return None
+    rows = table.set_index("series")
+    distances = {name: f"{value:.2f}" for name, value in rows.largest_distance_um.dropna().items()}
+    return distances | {"to_ca": f"{rows.to_ca['refined']:g}"}
+
+
 def starts(table):
     """What became of the class of passages from a second place, by set of passages."""
     heads = {"set": "started in the middle of the gap", "points": "passages", "same_class": "same class"}
