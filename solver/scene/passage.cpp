@@ -244,7 +244,7 @@ Scene passage_scene() {
   return {{.name = "passage",
            .sections = {"geometry", "fluid", "cell", "coupling", "stop", "output"},
            .check = check_passage,
-           .margins = passage_margins,
+           .margins = [](const Case& c) { return passage_margins(c, kink_mobility(c)); },
            .work = passage_work,
            .box = passage_box},
           run_passage};

@@ -259,7 +259,7 @@ Scene stretching_scene() {
   return {{.name = "stretching",
            .sections = {"geometry", "fluid", "cell", "coupling", "stop", "stretching", "output"},
            .check = check_stretching,
-           .margins = stretching_margins,
+           .margins = [](const Case& c) { return stretching_margins(c, kink_mobility(c)); },
            .work = stretching_work,
            .box = stretching_box},
           run_stretching};
