@@ -1,5 +1,5 @@
 #pragma once
-/// Follows a cell from pillar line to pillar line: trajectory, D_perp on each line, return map and class.
+/// A cell on its way from pillar line to pillar line.
 #include <Eigen/Core>
 #include <string>
 
@@ -10,6 +10,8 @@
 
 namespace dld {
 
+/// Measures the trajectory and, on each line, D_perp and the return map, until that proves the class. What it
+/// finds goes into the state.
 class RowFollower {
  public:
   /// Goes on from the state, which must outlive it, as must the case.
