@@ -5,7 +5,7 @@
     snakemake --cores 2 --config tier=quick     the paper's cells without brackets, into results/quick/
     snakemake --cores 2 --config tier=smoke     a test of every rule on a coarse lattice, into results/smoke/
 
-The runs of a tier stand in the file of its study; workflow/study/planning/plan.py resolves them.
+The runs of a tier stand in the file of its study; workflow/study/planning/plan.py makes the plan of them.
 """
 
 import os
@@ -21,12 +21,15 @@ os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["
 sys.path.insert(0, os.path.join(workflow.basedir, "workflow"))
 
 from study.planning import progress
+from study.planning.documents import SCHEMAS, read_json, validated
 from study.planning.failures import failed_runs, forget
 from study.planning.folders import PAPER, results_folder, study_file
 from study.planning.lock import Busy, only_looks, taken
 from study.planning.modules import modules_of
-from study.planning.plan import SCHEMAS, ids, load_study, make_plan, read_json, study_brackets, validated, write_plan
+from study.planning.plan import make_plan
+from study.planning.plan_file import ids, study_brackets, write_plan
 from study.planning.points import STUDY_GROUPS
+from study.planning.tiers import load_study
 from study.planning.validation import hint
 
 OPTIONS = ["study", "tier", "dld", "sample", "seed", "most_node_updates", "only", "claim"]  # of --config

@@ -61,7 +61,7 @@ constexpr double row_shift_limit = 0.5;
 constexpr double slip_limit = 0.05;
 // Lattice spacings across the gap. Measured with a triangle and an ellipse: with 8 to 9 s is off by 18 and 40
 // per cent, with 17 by 1 and 8 per cent, at second order. Too few to have a flow at all are refused
-// (consistency.cpp).
+// (device_check.cpp).
 constexpr double accurate_gap = 10;
 // Density variation 3 f lambda, the pressure that the force builds up over a pitch, over cs^2. Fitted: the
 // variation passes 0.1 at 0.11 and, with a cell, 0.3 above or below the mean, where the monitors stop, at
@@ -96,7 +96,8 @@ Margin above(const std::string& name, double value, double limit, const std::str
 const std::string softer = "reduce /fluid/force_density (at fixed Ca all moduli fall with it)";
 
 // True moduli of the Skalak law at small strain: shear G = 4 kS/k, area K = G + 2 kalpha/3.
-void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Margin>& margins) {
+void membrane_margins(const Case& c, const LatticeParameters& l, double kink_mobility,
+                      std::vector<Margin>& margins) {
   const double shear = 4 * l.shear_modulus / c.cell.skalak_denominator;
   const double area = shear + 2 * l.local_area_modulus / 3;
   const double steps = c.coupling.steps_per_update;
@@ -117,9 +118,9 @@ void membrane_margins(const Case& c, const LatticeParameters& l, std::vector<Mar
   margins.push_back(below("area over shear modulus, K^2 / G per update", area * area / shear * steps,
                           buckling_limit(c.coupling.kernel), "lu",
                           softer + ", /cell/local_area_modulus or /cell/capillary_number"));
-  if (l.kink_mobility > 0) {
+  if (kink_mobility > 0) {
     margins.push_back(below("stiffness K + G times what the corrected kernel gives back, per update",
-                            steps * l.kink_mobility * kink_symbol * (area + shear), kink_limit, "",
+                            steps * kink_mobility * kink_symbol * (area + shear), kink_limit, "",
                             softer + " or /coupling/steps_per_update"));
   }
   if (c.scene == "passage") {
@@ -210,10 +211,10 @@ void wall_speed_margins(const Case& c, const LatticeParameters& l, std::vector<M
 
 }  // namespace
 
-std::vector<Margin> passage_margins(const Case& c) {
+std::vector<Margin> passage_margins(const Case& c, double kink_mobility) {
   const LatticeParameters l = scene_lattice(c);
   std::vector<Margin> margins;
-  membrane_margins(c, l, margins);
+  membrane_margins(c, l, kink_mobility, margins);
   contact_margins(c, margins);
   flow_margins(c, l, margins);
   slip_margin(c, l, margins);
@@ -227,9 +228,9 @@ std::vector<Margin> streamlines_margins(const Case& c) {
   return margins;
 }
 
-std::vector<Margin> stretching_margins(const Case& c) {
+std::vector<Margin> stretching_margins(const Case& c, double kink_mobility) {
   std::vector<Margin> margins;
-  if (c.stretching.method == "coupled") membrane_margins(c, scene_lattice(c), margins);
+  if (c.stretching.method == "coupled") membrane_margins(c, scene_lattice(c), kink_mobility, margins);
   return margins;
 }
 

@@ -22,9 +22,10 @@ struct Margin {
 std::vector<Margin> stability_margins(const Case& c);
 
 /// Margins by scene: of the coupled membrane, of the contact and of the flow; of none where nothing is known.
-std::vector<Margin> passage_margins(const Case& c);
+/// kink_mobility: what the kernel gives back (lu, see CouplingModel), which only the coupling knows.
+std::vector<Margin> passage_margins(const Case& c, double kink_mobility);
 std::vector<Margin> streamlines_margins(const Case& c);
-std::vector<Margin> stretching_margins(const Case& c);
+std::vector<Margin> stretching_margins(const Case& c, double kink_mobility);
 std::vector<Margin> channel_margins(const Case& c);
 std::vector<Margin> shear_margins(const Case& c);
 

@@ -1,7 +1,6 @@
 #include "parameters/reader.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -10,9 +9,9 @@
 #include "parameters/cell_surface.hpp"
 #include "parameters/consistency.hpp"
 #include "parameters/declaration.hpp"
+#include "parameters/declared_value.hpp"
 #include "parameters/effect.hpp"
 #include "parameters/operating.hpp"
-#include "parameters/pillar_json.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/syntax.hpp"
 #include "parameters/text.hpp"
@@ -35,99 +34,6 @@ std::string list_text(const std::string& file, const std::vector<Problem>& probl
   for (const auto& problem : problems) text += (text.empty() ? "" : "\n") + problem_text(file, problem);
   return text;
 }
-
-// A whole number, also when it is written 10.0 (as in JSON Schema).
-bool is_whole(const Json& value) {
-  return value.is_number_integer() ||
-         (value.is_number_float() && std::trunc(value.get<double>()) == value.get<double>());
-}
-
-// Checks `value` against one declaration and, if it is right, stores it through the field.
-class Store {
- public:
-  Store(const Declaration& declaration, const Json& value, std::vector<Problem>& problems)
-      : declaration_(declaration), value_(value), problems_(problems) {}
-
-  void operator()(double* field) const {
-    if (const auto number = checked_number("a number")) *field = *number;
-  }
-  void operator()(int* field) const {
-    if (const auto number = checked_number("a whole number")) *field = static_cast<int>(*number);
-  }
-  void operator()(long* field) const {
-    if (const auto number = checked_number("a whole number")) *field = static_cast<long>(*number);
-  }
-  void operator()(bool* field) const {
-    if (value_.is_boolean()) {
-      *field = value_.get<bool>();
-    } else {
-      complain("true or false", "write true or false without quotes");
-    }
-  }
-  void operator()(std::string* field) const {
-    const auto& names = declaration_.allowed.names;
-    if (names.empty()) {
-      if (value_.is_string() && !value_.get<std::string>().empty()) {
-        *field = value_.get<std::string>();
-      } else {
-        complain("a text", "write it in quotes, or remove the key");
-      }
-    } else if (value_.is_string() && std::ranges::find(names, value_.get<std::string>()) != names.end()) {
-      *field = value_.get<std::string>();
-    } else {
-      const std::string given = value_.is_string() ? value_.get<std::string>() : value_.dump();
-      complain(allowed_text(declaration_.allowed), unknown_text_advice(given, declaration_.allowed));
-    }
-  }
-  void operator()(std::vector<double>* field) const {
-    const std::size_t items = declaration_.allowed.items;
-    const bool right = value_.is_array() && !value_.empty() && (items == 0 || value_.size() == items) &&
-                       std::ranges::all_of(value_, [&](const Json& item) {
-                         return item.is_number() && in_range(item.get<double>(), declaration_.allowed);
-                       });
-    if (right) {
-      *field = value_.get<std::vector<double>>();
-    } else {
-      complain("a list of " + (items > 0 ? number_text(static_cast<double>(items)) + " " : "") +
-                   "numbers, each " + allowed_text(declaration_.allowed),
-               items == 3 ? "write e.g. [4, 3, 1.5]" : "write e.g. [0, 20, 40]");
-    }
-  }
-
-  void operator()(std::optional<double>* field) const { *field = checked_number("a number"); }
-  void operator()(std::optional<std::string>* field) const {
-    std::string name;
-    (*this)(&name);
-    if (!name.empty()) *field = name;
-  }
-  void operator()(std::optional<PillarValues>* field) const {
-    *field = read_pillar(value_, declaration_.pointer(), problems_);
-  }
-
-  std::optional<double> checked_number(const std::string& kind) const {
-    const bool right_kind = kind == "a whole number" ? is_whole(value_) : value_.is_number();
-    const std::string range = allowed_text(declaration_.allowed);
-    const std::string allowed = kind + (range == "any" ? "" : " " + range);
-    if (!right_kind) {
-      complain(allowed, "write " + kind + (value_.is_string() ? " without quotes" : ""));
-      return std::nullopt;
-    }
-    if (!in_range(value_.get<double>(), declaration_.allowed)) {
-      complain(allowed, nearest_advice(value_.get<double>(), declaration_.allowed));
-      return std::nullopt;
-    }
-    return value_.get<double>();
-  }
-
- private:
-  void complain(const std::string& allowed, const std::string& advice) const {
-    problems_.push_back({declaration_.pointer(), value_.dump(), allowed, advice});
-  }
-
-  const Declaration& declaration_;
-  const Json& value_;
-  std::vector<Problem>& problems_;
-};
 
 // Names that may stand in a section: parameters and sub-sections.
 std::vector<std::string> known_names(const std::string& section) {
@@ -195,7 +101,7 @@ std::optional<double> read_epsilon(const Json& geometry, std::vector<Problem>& p
     problems.push_back({"/geometry/epsilon", geometry["epsilon"].dump(), "either epsilon or row_shift_um",
                         "remove one of the two"});
   }
-  return Store(epsilon_declaration(), geometry["epsilon"], problems).checked_number("a number");
+  return declared_number(epsilon_declaration(), geometry["epsilon"], problems);
 }
 
 // The pillar has two forms.
@@ -214,7 +120,7 @@ void read_operating(const Json& root, Case& c, std::vector<Problem>& problems) {
   for (const auto& [declaration, member] : operating_declarations()) {
     if (!object->contains(declaration.name)) continue;
     const Json& value = object->at(std::string(declaration.name));
-    c.operating.*member = Store(declaration, value, problems).checked_number("a number");
+    c.operating.*member = declared_number(declaration, value, problems);
   }
 }
 
@@ -231,7 +137,7 @@ void apply_preset(const Json& root, Case& c) {
   for (const auto& declaration : declarations()) {
     const Json::json_pointer pointer(declaration.pointer());
     if (settings.contains(pointer))
-      std::visit(Store(declaration, settings.at(pointer), none), declaration.field(c));
+      store_value(declaration, settings.at(pointer), declaration.field(c), none);
   }
 }
 
@@ -255,8 +161,7 @@ Reading read_tree(const Json& root, const std::string& folder) {
     if (!object) continue;
     for (const auto& declaration : declarations()) {
       if (declaration.section != section || !object->contains(declaration.name)) continue;
-      std::visit(Store(declaration, object->at(std::string(declaration.name)), problems),
-                 declaration.field(c));
+      store_value(declaration, object->at(std::string(declaration.name)), declaration.field(c), problems);
     }
     if (section == "geometry") {
       epsilon = read_epsilon(*object, problems);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/kernel.hpp"
 #include "membrane/bending_law.hpp"
 #include "parameters/cell_surface.hpp"
 
@@ -83,10 +82,6 @@ LatticeParameters to_lattice(const Case& c) {
   l.volume_modulus = c.cell.volume_modulus * stress;
   l.repulsion_strength = c.coupling.pillar_repulsion * stress;
   l.wall_repulsion_strength = c.coupling.wall_repulsion * stress;
-  const double odd = c.fluid.relaxation_time - 0.5;
-  l.kink_mobility = kernel_correction(c.coupling.kernel, c.cell.viscosity_ratio,
-                                      c.fluid.collision == "bgk" ? odd * odd : c.fluid.magic_parameter) /
-                    l.viscosity;
   return l;
 }
 

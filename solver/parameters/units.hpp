@@ -29,9 +29,8 @@ struct LatticeParameters {
   double global_area_modulus = 0;                              ///< kA
   double volume_modulus = 0;                                   ///< kV
   double repulsion_strength = 0, wall_repulsion_strength = 0;  ///< K, lu of force
-  double kink_mobility = 0;  ///< of the corrected kernel (see CouplingModel)
-  double shear_rate = 0;     ///< gdot of the scene shear
-  double um_per_lu = 0;      ///< dx in um
+  double shear_rate = 0;                                       ///< gdot of the scene shear
+  double um_per_lu = 0;                                        ///< dx in um
 };
 
 /// The device of the case, whatever its scene.

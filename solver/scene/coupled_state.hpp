@@ -69,16 +69,17 @@ std::string checkpoint_identity(const Case& c);
 template <class Real>
 class CoupledCheckpoint {
  public:
-  CoupledCheckpoint(const Case& c, RunContext& context, Lattice<Real>& lattice, CoupledCell<Real>& cell,
-                    Eigen::Index vertices)
+  /// The cell may come later: what an earlier run left is read before anything is simulated, so that a
+  /// checkpoint that does not fit is known at once.
+  CoupledCheckpoint(const Case& c, RunContext& context, Lattice<Real>& lattice, Eigen::Index vertices)
       : identity_(checkpoint_identity(c)),
         context_(context),
         lattice_(lattice),
-        cell_(cell),
         vertices_(vertices),
         unit_(whole_steps(make_coupling_model(c))) {}
 
-  /// What an earlier run left; nothing without one, or if it is not to be resumed.
+  /// What an earlier run left; nothing without one, or if it is not to be resumed. Builds of the same commit
+  /// can still differ in the layout of their arrays.
   std::optional<Checkpoint> load() {
     if (!context_.resume) return std::nullopt;
     auto saved = Checkpoint::load(context_.checkpoint, identity_, std::cerr);
@@ -89,21 +90,31 @@ class CoupledCheckpoint {
   }
 
   /// Puts fluid and cell in the saved state; returns its step.
-  long restore(const Checkpoint& saved) { return restore_coupled(saved, lattice_, cell_); }
+  long restore(const Checkpoint& saved, CoupledCell<Real>& cell) {
+    return restore_coupled(saved, lattice_, cell);
+  }
 
-  /// To be called after every step with what saves the rest of the scene: true if the run is to stop, whose
-  /// state is saved then, as it is now and then by the clock.
+  /// Fluid and cell are both whole after this many steps: the state can be saved, and a run may stop.
+  bool whole(long step) const { return step % unit_ == 0; }
+
+  /// Saves fluid and cell, and what `add(Checkpoint&)` says of the scene; after a whole step.
   template <class Function>
-  bool stop(long step, Function&& add) {
-    if (step % unit_ != 0) return false;
-    const bool asked = interrupted() != 0;
-    if (!asked && !context_.save_timer.due()) return false;
+  void save(const CoupledCell<Real>& cell, Function&& add) {
     Checkpoint checkpoint(identity_);
-    save_coupled(checkpoint, lattice_, cell_);
+    save_coupled(checkpoint, lattice_, cell);
     add(checkpoint);
     checkpoint.save(context_.checkpoint);
     context_.owns_checkpoint = true;
     context_.save_timer.restart();
+  }
+
+  /// To be called after every step: true if the run is to stop, whose state is saved then, as it is now and
+  /// then by the clock and where the scene asks for it (`wanted`).
+  template <class Function>
+  bool stop(long step, const CoupledCell<Real>& cell, Function&& add, bool wanted = false) {
+    if (!whole(step)) return false;
+    const bool asked = interrupted() != 0;
+    if (asked || wanted || context_.save_timer.due()) save(cell, add);
     return asked;
   }
 
@@ -111,7 +122,6 @@ class CoupledCheckpoint {
   std::string identity_;
   RunContext& context_;
   Lattice<Real>& lattice_;
-  CoupledCell<Real>& cell_;
   Eigen::Index vertices_;
   int unit_;
 };

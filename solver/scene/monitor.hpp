@@ -44,15 +44,17 @@ struct CellView {
   double um_per_lu = 1;
 };
 
-/// The view of a cell whose membrane has this state, without pillars.
+/// The view of a cell whose membrane has this state, with the pillars that it is coupled to, if any.
 template <class Real>
 CellView view_of(const CoupledCell<Real>& cell, const Membrane& membrane, const MembraneState& state,
-                 double um_per_lu) {
+                 double um_per_lu, const PillarArray* pillars = nullptr) {
   return {.membrane = membrane,
           .positions = cell.positions(),
           .velocities = cell.velocities(),
           .state = state,
           .speed = cell.max_speed(),
+          .film = pillars ? cell.film() : HUGE_VAL,
+          .pillars = pillars,
           .um_per_lu = um_per_lu};
 }
 

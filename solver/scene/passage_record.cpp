@@ -76,14 +76,14 @@ ColumnTable crossings_table() {
 
 }  // namespace
 
-void Extremes::update(const MembraneState& state, const Membrane& membrane, double node_speed,
-                      double node_film, double node_wall_gap) {
-  area_change = std::max(area_change, std::abs(state.area / membrane.reference_area() - 1.0));
-  volume_change = std::max(volume_change, std::abs(state.volume / membrane.reference_volume() - 1.0));
+void Extremes::update(const CellView& cell, double node_wall_gap) {
+  const MembraneState& state = cell.state;
+  area_change = std::max(area_change, std::abs(state.area / cell.membrane.reference_area() - 1.0));
+  volume_change = std::max(volume_change, std::abs(state.volume / cell.membrane.reference_volume() - 1.0));
   local_area_strain = std::max(local_area_strain, state.max_local_area_strain);
   min_face_ratio = std::min(min_face_ratio, state.min_face_ratio);
-  speed = std::max(speed, node_speed);
-  film = std::min(film, node_film);
+  speed = std::max(speed, cell.speed);
+  film = std::min(film, cell.film);
   wall_gap = std::min(wall_gap, node_wall_gap);
 }
 

@@ -10,6 +10,7 @@
 #include "output/hdf5_file.hpp"
 #include "parameters/physical.hpp"
 #include "scene/membrane_output.hpp"
+#include "scene/monitor.hpp"
 
 namespace dld {
 
@@ -43,16 +44,19 @@ struct MembraneSnapshot {
   Eigen::MatrixX3d vertices;
 };
 
+/// Distances from here on (lu) mean that there is no pillar or no wall.
+constexpr double no_distance = 1e300;
+
 /// Largest excursions over a whole run.
 struct Extremes {
   double area_change = 0, volume_change = 0, local_area_strain = 0, min_face_ratio = 1;
-  double film = 1e300;  ///< smallest distance to a pillar, lattice units
-  double speed = 0;     ///< of a membrane node, lattice units
+  double film = no_distance;  ///< smallest distance to a pillar, lattice units
+  double speed = 0;           ///< of a membrane node, lattice units
   double density_variation = 0;
-  double wall_gap = 1e300;  ///< smallest distance to the bottom or top wall, lattice units
+  double wall_gap = no_distance;  ///< smallest distance to the bottom or top wall, lattice units
 
-  void update(const MembraneState& state, const Membrane& membrane, double node_speed, double node_film,
-              double node_wall_gap);
+  /// node_wall_gap: smallest distance between a node and a wall (lu).
+  void update(const CellView& cell, double node_wall_gap);
 };
 
 /// Everything measured on the way; the part of a checkpoint that is not fluid or cell.

@@ -47,11 +47,17 @@ MembraneModuli make_moduli(const Case& c, const LatticeParameters& l) {
   return m;
 }
 
+double kink_mobility(const Case& c) {
+  const double odd = c.fluid.relaxation_time - 0.5;
+  const double magic = c.fluid.collision == "bgk" ? odd * odd : c.fluid.magic_parameter;
+  return kernel_correction(c.coupling.kernel, c.cell.viscosity_ratio, magic) / to_lattice(c).viscosity;
+}
+
 CouplingModel make_coupling_model(const Case& c) {
   const LatticeParameters l = to_lattice(c);
   CouplingModel model;
   model.kernel = kernel_by_name(c.coupling.kernel);
-  model.kink_mobility = l.kink_mobility;
+  model.kink_mobility = kink_mobility(c);
   model.mobility =
       c.coupling.regularisation == "tangential" ? c.coupling.regularisation_strength / l.viscosity : 0.0;
   model.steps_per_update = c.coupling.steps_per_update;

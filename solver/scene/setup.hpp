@@ -20,6 +20,9 @@ FluidModel make_fluid_model(const Case& c);
 /// Moduli of the scene's cell; no volume penalty where the volume is projected.
 MembraneModuli make_moduli(const Case& c, const LatticeParameters& l);
 
+/// Tangential velocity that the case's kernel gives back for the spread load (see CouplingModel), lu.
+double kink_mobility(const Case& c);
+
 CouplingModel make_coupling_model(const Case& c);
 
 /// Calls run.template operator()<float>() or <double>(), as the case says.

@@ -75,9 +75,9 @@ Status run(const Case& c, RunContext& context) {
   const long steps = std::lround(c.shear.duration / rate), last = std::min(steps, c.stop.max_steps);
   const long interval = std::max(2L, steps / 200 / 2 * 2);
   long done = 0;
-  CoupledCheckpoint<Real> checkpoints(c, context, lattice, cell, membrane.vertex_count());
+  CoupledCheckpoint<Real> checkpoints(c, context, lattice, membrane.vertex_count());
   if (const auto saved = checkpoints.load()) {
-    done = checkpoints.restore(*saved);
+    done = checkpoints.restore(*saved, cell);
     series.load(*saved, "series_");
   }
   Status status = Status::undecided;
@@ -99,7 +99,7 @@ Status run(const Case& c, RunContext& context) {
       if (context.progress.due()) context.progress.update(static_cast<double>(done), "");
     }
     if (status == Status::undecided &&
-        checkpoints.stop(done, [&](Checkpoint& state) { series.save(state, "series_"); }))
+        checkpoints.stop(done, cell, [&](Checkpoint& state) { series.save(state, "series_"); }))
       status = Status::interrupted;
   }
   const double change = change_of_last_quarter(series.column("deformation"));

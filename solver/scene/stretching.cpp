@@ -133,14 +133,14 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
   std::vector<Result> results;
   long steps = 0, begin = 0;
   double axial = 0.0, transverse = 0.0;
-  CoupledCheckpoint<Real> checkpoints(c, context, lattice, cell, membrane.vertex_count());
+  CoupledCheckpoint<Real> checkpoints(c, context, lattice, membrane.vertex_count());
   const auto add = [&](Checkpoint& state) {
     state.set("begin", static_cast<std::int64_t>(begin));
     state.set("extents", std::vector<double>{axial, transverse});
     save_results(results, state);
   };
   if (const auto saved = checkpoints.load()) {
-    steps = checkpoints.restore(*saved);
+    steps = checkpoints.restore(*saved, cell);
     begin = saved->integer("begin");
     const auto& extents = saved->template get<std::vector<double>>("extents");
     axial = extents.at(0);
@@ -155,7 +155,7 @@ std::vector<Result> stretch_coupled(const Case& c, RunContext& context, Status& 
     cell.external_forces.setZero();
     patches.add_pull(force, cell.external_forces);
     while (true) {
-      if (checkpoints.stop(steps, add)) {
+      if (checkpoints.stop(steps, cell, add)) {
         status = Status::interrupted;
         break;
       }
@@ -259,7 +259,7 @@ Scene stretching_scene() {
   return {{.name = "stretching",
            .sections = {"geometry", "fluid", "cell", "coupling", "stop", "stretching", "output"},
            .check = check_stretching,
-           .margins = stretching_margins,
+           .margins = [](const Case& c) { return stretching_margins(c, kink_mobility(c)); },
            .work = stretching_work,
            .box = stretching_box},
           run_stretching};

@@ -16,8 +16,11 @@ import matplotlib as mpl
 import matplotlib.pyplot as plt
 import pytest
 from programs import program
-from study.planning import plan as planning
 from study.planning.brackets import at_value, bracket
+from study.planning.cases import run_id
+from study.planning.documents import read_json
+from study.planning.plan import load_plan
+from study.planning.tiers import load_study
 
 mpl.use("Agg")
 
@@ -31,19 +34,19 @@ def root():
 
 @pytest.fixture(scope="session")
 def study():
-    return planning.load_study(ROOT / "params/studies/krueger2014.json")
+    return load_study(ROOT / "params/studies/krueger2014.json")
 
 
 def make_run(case, plan, folder):
     """A made-up run in its folder; its identity and class."""
-    identity = planning.run_id(case, plan["solver_model"])
+    identity = run_id(case, plan["solver_model"])
     place = folder / "runs" / identity
     if not place.exists():
         place.mkdir(parents=True)
         (place / "case.json").write_text(json.dumps(case), encoding="utf-8")
         (place / "benchmark.tsv").write_text("s\n1.5\n", encoding="utf-8")
         fake_solver.run(case, place / "run.h5", place / "summary.json")
-    return {"class": planning.read_json(place / "summary.json")["status"], "run": identity}
+    return {"class": read_json(place / "summary.json")["status"], "run": identity}
 
 
 def make_bracket(definition, plan, folder):
@@ -66,7 +69,7 @@ def make_bracket(definition, plan, folder):
 
 def made_up_tier(tier, folder):
     """The plan of a tier and made-up results of its runs and brackets in a folder."""
-    plan = planning.load_plan(ROOT / "params/studies/krueger2014.json", tier)
+    plan = load_plan(ROOT / "params/studies/krueger2014.json", tier)
     (folder / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
     for run in plan["runs"]:
         make_run(run["case"], plan, folder)

@@ -91,9 +91,10 @@ def test_row_shifts_are_narrowed_at_lattice_steps():
 
 def test_the_programs_share_runs_and_run_nothing_for_a_finished_bracket(root, study, tmp_path):
     """bracket_start, bracket_point and bracket_narrow with the made-up solver."""
-    from study.planning import plan as planning
+    from study.planning.documents import read_json
+    from study.planning.plan import load_plan
 
-    plan = planning.load_plan(root / "params/studies/krueger2014.json", "smoke")
+    plan = load_plan(root / "params/studies/krueger2014.json", "smoke")
     (tmp_path / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
     dld = tmp_path / "dld"
     program = root / "tests/workflow/fake_solver.py"
@@ -124,12 +125,12 @@ def test_the_programs_share_runs_and_run_nothing_for_a_finished_bracket(root, st
     call("bracket_start", name=name, runs=runs, output=start)
     call("bracket_point", bracket=start, side="low", output=low, **given)
     call("bracket_point", bracket=start, side="low", output=again, **given)
-    point = planning.read_json(low)
-    assert point == planning.read_json(again)
+    point = read_json(low)
+    assert point == read_json(again)
     assert (tmp_path / "count").read_text().splitlines() == ["run"]
     assert (runs / point["run"] / "benchmark.tsv").exists()
-    done = planning.read_json(start) | {"next": []}
+    done = read_json(start) | {"next": []}
     start.write_text(json.dumps(done), encoding="utf-8")
     call("bracket_point", bracket=start, side="high", output=again, **given)
-    assert planning.read_json(again) is None
+    assert read_json(again) is None
     assert (tmp_path / "count").read_text().splitlines() == ["run"]

@@ -6,7 +6,8 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from study.planning import plan as planning
+from study.planning.cases import resolved
+from study.planning.documents import SCHEMAS, read_json, validated
 
 ROOT = Path(__file__).resolve().parents[2]
 DLD = Path(os.environ.get("DLD", ROOT / "build/dld"))
@@ -15,7 +16,7 @@ CELLS = sorted((ROOT / "params/cells").glob("*.json"))
 
 @pytest.fixture(params=CELLS, ids=lambda path: path.stem)
 def cell(request):
-    return planning.validated(request.param, "cell") | {"file": request.param}
+    return validated(request.param, "cell") | {"file": request.param}
 
 
 def test_the_types_that_the_documents_name_are_there():
@@ -58,8 +59,8 @@ def test_the_solver_accepts_a_passage_of_the_type(cell, tmp_path):
     checked = subprocess.run([DLD, "check", path], capture_output=True, text=True, check=False)
     assert checked.returncode == 0, checked.stderr
     assert "no effect" not in checked.stderr
-    resolved = planning.resolved(case, planning.read_json(planning.SCHEMAS / "case.schema.json"))
-    assert resolved["cell"] | cell["cell"] == resolved["cell"]
+    full = resolved(case, read_json(SCHEMAS / "case.schema.json"))
+    assert full["cell"] | cell["cell"] == full["cell"]
 
 
 def test_a_value_without_a_source_is_found(tmp_path):
@@ -69,6 +70,6 @@ def test_a_value_without_a_source_is_found(tmp_path):
     del healthy["bending_modulus_J"]
     path.write_text(json.dumps(healthy), encoding="utf-8")
     with pytest.raises(ValueError) as error:
-        planning.validated(path, "cell")
+        validated(path, "cell")
     assert "bending_modulus_J" in str(error.value)
     assert "citation" in str(error.value)

@@ -3,7 +3,8 @@
 import pandas as pd
 import pytest
 from study.paper.claim_runs import case_of_run, judged, numbers_in, numbers_of, runs_of_claim
-from study.planning.plan import load_plan, run_id
+from study.planning.cases import run_id
+from study.planning.plan import load_plan
 
 
 @pytest.fixture(scope="module")

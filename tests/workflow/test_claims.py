@@ -11,8 +11,8 @@ from study.analysis.boundary import PARAMETERS, critical_capillary_number
 from study.paper import claims_boundary, claims_classes, claims_extent, claims_flow  # noqa: F401 (register checks)
 from study.paper.claims import CHECKS, load_claims
 from study.paper.grades import OTHERWISE
-from study.planning import plan as planning
-from study.planning.plan import read_json, validated
+from study.planning.documents import read_json, validated
+from study.planning.plan import load_plan
 
 #: By what matters most: boundary, classes, D_perp, tweezer, separation law, flow, units.
 PAPER = [
@@ -126,7 +126,7 @@ def test_every_explanation_is_without_numbers_of_its_own(claims):
 
 
 def test_every_claim_that_does_not_come_out_is_explained(root, call, tmp_path, claims):
-    plan = planning.load_plan(root / "params/studies/krueger2014.json", "paper")
+    plan = load_plan(root / "params/studies/krueger2014.json", "paper")
     (tmp_path / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
     given = {"claims": root / "params/claims.json", "tables": root / "results/tables"}
     given["plan"] = tmp_path / "plan.json"

@@ -8,7 +8,7 @@ import subprocess
 
 import pytest
 from short_passage import DLD, PASSAGE, needs_solver
-from study.planning import plan as planning
+from study.planning.documents import SCHEMAS, problems, read_json
 
 
 def solver(folder, *words, **options):
@@ -74,12 +74,12 @@ def test_a_full_disk_ends_with_a_reason_and_keeps_what_was_there(folder):
 
 @pytest.mark.parametrize("name", ["$(touch x)", "../../x", "a b", "a;b", "a\n", "{run}", "", "'", "<b>"])
 def test_names_that_reach_commands_and_paths_are_plain(study, name):
-    schema = planning.read_json(planning.SCHEMAS / "study.schema.json")
+    schema = read_json(SCHEMAS / "study.schema.json")
     smoke = study["tiers"]["smoke"]
     for tiers in (
         {name: smoke},
         {"t": smoke | {"passages": {name: smoke["passages"]["grid"]}}},
         {"t": smoke | {"boundary": smoke["boundary"] | {"series": {name: {}}}}},
     ):
-        found = planning.problems({"solver_model": 1, "tiers": tiers}, schema)
+        found = problems({"solver_model": 1, "tiers": tiers}, schema)
         assert any("does not match" in text for text in found), tiers.keys()

@@ -9,7 +9,7 @@ from jinja2 import Environment, FileSystemLoader
 from study.analysis.tables import in_markdown
 from study.paper.claims_page import in_order
 from study.paper.manuscript import typeset
-from study.planning import plan as planning
+from study.planning.documents import SCHEMAS, problems, read_json, validated
 
 HOSTILE = [
     "$(touch x)",
@@ -72,11 +72,11 @@ def in_a_tier(tier, name):
 
 @pytest.mark.parametrize("text", HOSTILE)
 def test_no_name_or_text_of_the_study_has_more_than_plain_letters(study, text):
-    schema = planning.read_json(planning.SCHEMAS / "study.schema.json")
+    schema = read_json(SCHEMAS / "study.schema.json")
     smoke = study["tiers"]["smoke"]
-    assert planning.problems({"solver_model": 1, "tiers": {text: smoke}}, schema)
+    assert problems({"solver_model": 1, "tiers": {text: smoke}}, schema)
     for place, tier in in_a_tier(smoke, text):
-        assert planning.problems({"solver_model": 1, "tiers": {"t": tier}}, schema), place
+        assert problems({"solver_model": 1, "tiers": {"t": tier}}, schema), place
 
 
 @pytest.fixture(scope="module")
@@ -106,14 +106,14 @@ def test_a_text_of_a_claim_is_shown_and_obeyed_nowhere(page, text):
 
 @pytest.mark.parametrize("text", HOSTILE)
 def test_an_id_of_a_claim_is_plain_and_no_text_has_control_characters(root, tmp_path, text):
-    claims = planning.read_json(root / "params/claims.json")
+    claims = read_json(root / "params/claims.json")
     changed = copy.deepcopy(claims)
     changed["claims"][0]["id"] = text
     path = tmp_path / "claims.json"
     path.write_text(json.dumps(changed), encoding="utf-8")
     with pytest.raises(ValueError, match="/claims/0/id"):
-        planning.validated(path, "claims")
+        validated(path, "claims")
     claims["claims"][0]["claim"] = text + "\x1b[2J and more"
     path.write_text(json.dumps(claims), encoding="utf-8")
     with pytest.raises(ValueError, match=r"/claims/0/claim: .*control characters"):
-        planning.validated(path, "claims")
+        validated(path, "claims")

@@ -6,7 +6,9 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from study.planning import plan as planning
+from study.planning.cases import resolved, run_id
+from study.planning.documents import SCHEMAS, read_json
+from study.planning.plan import load_plan
 
 ROOT = Path(__file__).resolve().parents[2]
 DLD = Path(os.environ.get("DLD", ROOT / "build/dld"))
@@ -54,33 +56,33 @@ def test_a_run_says_first_what_it_takes(case, tmp_path):
 
 
 def test_words_about_a_case_are_no_part_of_its_identity():
-    schema = planning.read_json(planning.SCHEMAS / "case.schema.json")
+    schema = read_json(SCHEMAS / "case.schema.json")
     plain = {key: value for key, value in CASE.items() if key != "description"}
-    described = planning.resolved(CASE | {"$schema": "case.schema.json"}, schema)
-    assert planning.run_id(described, 1) == planning.run_id(planning.resolved(plain, schema), 1)
+    described = resolved(CASE | {"$schema": "case.schema.json"}, schema)
+    assert run_id(described, 1) == run_id(resolved(plain, schema), 1)
 
 
 @needs_solver
 def test_a_planned_ellipsoid_has_the_radius_of_its_axes(tmp_path):
-    schema = planning.read_json(planning.SCHEMAS / "case.schema.json")
+    schema = read_json(SCHEMAS / "case.schema.json")
     ellipsoid = {"shape": "ellipsoid", "semi_axes_um": [5, 3, 1.5]}
     path = tmp_path / "case.json"
-    path.write_text(json.dumps(planning.resolved({"scene": "passage", "cell": ellipsoid}, schema)), "utf-8")
+    path.write_text(json.dumps(resolved({"scene": "passage", "cell": ellipsoid}, schema)), "utf-8")
     checked = solver("check", "--json", path)
     assert json.loads(checked.stdout)["case"]["cell"]["radius_um"] == 5
     assert "warning" not in checked.stderr
 
 
 def test_a_study_says_that_it_has_no_meshes_from_files():
-    schema = planning.read_json(planning.SCHEMAS / "case.schema.json")
+    schema = read_json(SCHEMAS / "case.schema.json")
     mesh = {"scene": "passage", "cell": {"shape": "mesh", "mesh_file": "cell.off"}}
     with pytest.raises(ValueError, match="no meshes from files"):
-        planning.resolved(mesh, schema)
+        resolved(mesh, schema)
 
 
 @needs_solver
 def test_nothing_is_said_of_the_cases_that_the_planner_writes(tmp_path):
-    plan = planning.load_plan(ROOT / "params/studies/krueger2014.json", "smoke")
+    plan = load_plan(ROOT / "params/studies/krueger2014.json", "smoke")
     path = tmp_path / "case.json"
     for scene in ("streamlines", "stretching", "passage"):
         run = next(run for run in plan["runs"] if run["case"]["scene"] == scene)

@@ -11,7 +11,8 @@ from short_passage import DLD, PASSAGE, needs_solver
 from study.analysis import cluster_cost
 from study.analysis.crate import crate
 from study.analysis.software import libraries, locked_packages, software_list
-from study.planning import plan, requests
+from study.planning import requests
+from study.planning.plan import load_plan
 from study.planning.points import merged
 
 LOCKS = ("requirements", "requirements-build", "requirements-cluster", "requirements-test")
@@ -133,7 +134,7 @@ def test_jobs_are_scheduled_on_the_core_that_is_free_first():
 
 
 def test_a_job_asks_for_more_after_every_failure():
-    case = plan.load_plan(ROOT / "params/studies/krueger2014.json", "smoke")["runs"][0]["case"]
+    case = load_plan(ROOT / "params/studies/krueger2014.json", "smoke")["runs"][0]["case"]
     nothing = ROOT / "no/solver"
     first = requests.minutes(nothing, case), requests.mebibytes(nothing, case)
     assert first[0] > requests.OVERHEAD_MINUTES and first[1] >= requests.OVERHEAD_MIB

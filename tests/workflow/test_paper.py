@@ -10,7 +10,7 @@ import pandas as pd
 import pytest
 from study.analysis.boundary import UNDISPUTED
 from study.paper import article_tables, manuscript
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 ROOT = Path(__file__).resolve().parents[2]
 PAPER = ROOT / "paper"

@@ -4,8 +4,12 @@ import copy
 import os
 
 import pytest
-from study.planning import plan as planning
-from study.planning.points import STUDY_GROUPS
+from study.planning.cases import resolved, run_id
+from study.planning.documents import SCHEMAS, problems, read_json
+from study.planning.plan import make_plan
+from study.planning.plan_file import ids, study_brackets, write_plan
+from study.planning.points import STUDY_GROUPS, merged
+from study.planning.tiers import expanded
 
 GROUPS = {"streamlines", "stokes", "stretching", "passages", "boundary", "sensitivity", "sensitivity-flow"}
 GROUPS |= {
@@ -17,24 +21,24 @@ GROUPS |= {
     "settings-check",
     "uncertainty",
 }
-CASE_SCHEMA = planning.read_json(planning.SCHEMAS / "case.schema.json")
+CASE_SCHEMA = read_json(SCHEMAS / "case.schema.json")
 
 
 def identity(case, model=1):
-    return planning.run_id(planning.resolved(case, CASE_SCHEMA), model)
+    return run_id(resolved(case, CASE_SCHEMA), model)
 
 
 @pytest.mark.parametrize("tier", ["smoke", "paper", "fine"])
 def test_every_tier_has_a_valid_plan_with_all_groups(study, tier):
-    plan = planning.make_plan(study, tier, CASE_SCHEMA)
+    plan = make_plan(study, tier, CASE_SCHEMA)
     assert {run["group"] for run in plan["runs"]} == GROUPS
     for run in plan["runs"]:
-        assert planning.problems(run["case"], CASE_SCHEMA) == []
+        assert problems(run["case"], CASE_SCHEMA) == []
 
 
 def test_the_quick_tier_asks_for_a_part_of_the_papers_runs_and_narrows_nothing(study):
-    quick, paper = (planning.make_plan(study, tier, CASE_SCHEMA) for tier in ("quick", "paper"))
-    asked, known = (set(planning.ids(plan, *STUDY_GROUPS)) for plan in (quick, paper))
+    quick, paper = (make_plan(study, tier, CASE_SCHEMA) for tier in ("quick", "paper"))
+    asked, known = (set(ids(plan, *STUDY_GROUPS)) for plan in (quick, paper))
     assert asked < known
     assert {bracket["levels"] for bracket in quick["brackets"].values()} == {0}
     assert {"sensitivity", "uncertainty"}.isdisjoint(run["group"] for run in quick["runs"])
@@ -47,15 +51,15 @@ def test_a_null_takes_away_what_the_extended_tier_has_and_nothing_else():
         "again": {"extends": "less", "d": 4},
         "wrong": {"extends": "base", "a": {"bb": None}},
     }
-    assert planning.expanded(tiers, "less") == {"a": {"c": 2}}
-    assert planning.expanded(tiers, "again") == {"a": {"c": 2}, "d": 4}
+    assert expanded(tiers, "less") == {"a": {"c": 2}}
+    assert expanded(tiers, "again") == {"a": {"c": 2}, "d": 4}
     with pytest.raises(ValueError, match=r"/tiers/wrong/a/bb: .* no 'bb'; "):
-        planning.expanded(tiers, "wrong")
+        expanded(tiers, "wrong")
 
 
 def test_unknown_tier_is_named_with_the_known_ones(study):
     with pytest.raises(ValueError, match=r"no tier 'big'.*fine, paper, quick, smoke"):
-        planning.make_plan(study, "big", CASE_SCHEMA)
+        make_plan(study, "big", CASE_SCHEMA)
 
 
 def test_identity_does_not_depend_on_order_spelling_or_written_defaults():
@@ -82,15 +86,15 @@ def test_identity_ignores_sections_that_the_scene_does_not_read():
 def test_two_variants_of_the_same_point_share_a_run(study):
     tier = copy.deepcopy(study["tiers"]["smoke"])
     tier["streamlines"]["variants"]["twin"] = tier["streamlines"]["variants"]["accurate"]
-    plan = planning.make_plan(study | {"tiers": {"t": tier}}, "t", CASE_SCHEMA)
+    plan = make_plan(study | {"tiers": {"t": tier}}, "t", CASE_SCHEMA)
     runs = [run for run in plan["runs"] if run["labels"].get("variant") in ("accurate", "twin")]
     assert len({run["id"] for run in runs}) == len(runs) / 2
-    assert len(planning.ids(plan, "streamlines")) < sum(run["group"] == "streamlines" for run in plan["runs"])
+    assert len(ids(plan, "streamlines")) < sum(run["group"] == "streamlines" for run in plan["runs"])
 
 
 def test_row_shifts_and_depths_are_whole_on_every_lattice(study):
     for tier in study["tiers"]:
-        for run in planning.make_plan(study, tier, CASE_SCHEMA)["runs"]:
+        for run in make_plan(study, tier, CASE_SCHEMA)["runs"]:
             spacing = run["case"]["fluid"]["lattice_spacing_um"]
             geometry = run["case"]["geometry"]
             lengths = [geometry["row_shift_um"], geometry["pitch_um"], 0.5 * geometry["depth_um"]]
@@ -100,20 +104,20 @@ def test_row_shifts_and_depths_are_whole_on_every_lattice(study):
 
 
 def test_merged_overlays_leaf_by_leaf():
-    assert planning.merged({"a": {"b": 1, "c": 2}}, {"a": {"c": 3}, "d": 4}) == {
+    assert merged({"a": {"b": 1, "c": 2}}, {"a": {"c": 3}, "d": 4}) == {
         "a": {"b": 1, "c": 3},
         "d": 4,
     }
 
 
 def test_a_tier_that_extends_another_adds_to_it(study):
-    fine, paper = (planning.make_plan(study, tier, CASE_SCHEMA) for tier in ("fine", "paper"))
+    fine, paper = (make_plan(study, tier, CASE_SCHEMA) for tier in ("fine", "paper"))
     assert set(paper["brackets"]) < set(fine["brackets"])
-    assert set(planning.ids(paper, "passages")) < set(planning.ids(fine, "passages"))
+    assert set(ids(paper, "passages")) < set(ids(fine, "passages"))
 
 
 def test_a_bracket_knows_the_runs_of_the_sweeps_on_its_axis(study):
-    plan = planning.make_plan(study, "paper", CASE_SCHEMA)
+    plan = make_plan(study, "paper", CASE_SCHEMA)
     grid = {
         run["case"]["cell"]["capillary_number"]: run["id"]
         for run in plan["runs"]
@@ -128,13 +132,13 @@ def test_a_row_shift_may_have_a_range_of_its_own(study):
     changed = copy.deepcopy(study)
     series = changed["tiers"]["paper"]["boundary"]["series"]["default"]
     series["ca_ranges"] = {"6.8": [0.3, 0.6]}
-    brackets = planning.make_plan(changed, "paper", CASE_SCHEMA)["brackets"]
+    brackets = make_plan(changed, "paper", CASE_SCHEMA)["brackets"]
     ends = [capillary for capillary, _ in brackets["default/d6.8"]["known"]]
     assert (ends[0], ends[-1]) == (0.3, 0.6)
     assert [capillary for capillary, _ in brackets["default/d6"]["known"]][-1] == 2.4
     series["ca_ranges"] = {"6.9": [0.3, 0.6]}
     with pytest.raises(ValueError, match=r"default: /ca_ranges/6.9: allowed are its row shifts, 2, 3.2"):
-        planning.make_plan(changed, "paper", CASE_SCHEMA)
+        make_plan(changed, "paper", CASE_SCHEMA)
 
 
 def test_names_that_the_study_refers_to_exist(study):
@@ -144,8 +148,8 @@ def test_names_that_the_study_refers_to_exist(study):
         boundary = tier["sensitivity"]["boundary"]
         assert boundary["reference"] in series or not boundary["choices"]
         assert set(boundary["choices"]) <= set(tier["sensitivity"]["choices"])
-        plan = planning.make_plan(study, name, CASE_SCHEMA)
-        known = {bracket["series"] for bracket in planning.study_brackets(plan).values()}
+        plan = make_plan(study, name, CASE_SCHEMA)
+        known = {bracket["series"] for bracket in study_brackets(plan).values()}
         for values in tier["sensitivity"]["choices"].values():
             assert {entry["series"] for entry in values.values() if "series" in entry} <= known
         variants = set(tier["streamlines"]["variants"])
@@ -156,12 +160,12 @@ def test_names_that_the_study_refers_to_exist(study):
 def test_the_written_plan_changes_with_its_content_only(tmp_path):
     path = tmp_path / "results/plan.json"
     plan = {"tier": "t", "runs": [{"id": "a"}, {"id": "b"}], "brackets": {"c": {"levels": 2}}}
-    assert planning.write_plan(plan, path) == path
-    assert planning.read_json(path) == plan
+    assert write_plan(plan, path) == path
+    assert read_json(path) == plan
     os.utime(path, (1, 1))
-    planning.write_plan(plan, path)
+    write_plan(plan, path)
     assert path.stat().st_mtime == 1
-    planning.write_plan(plan | {"tier": "other"}, path)
-    assert planning.read_json(path)["tier"] == "other"
+    write_plan(plan | {"tier": "other"}, path)
+    assert read_json(path)["tier"] == "other"
     assert path.stat().st_mtime > 1
     assert [file.name for file in path.parent.iterdir()] == ["plan.json"]

@@ -1,13 +1,14 @@
 """The time to go: jobs in words, what is learned from the jobs that are done, the line and the table."""
 
 import pytest
-from study.planning import plan as planning
+from conftest import ROOT
+from study.planning.plan import load_plan
 from study.planning.progress import BELIEF, NEEDED, Job, Progress, described, duration, with_index
 
 
 @pytest.fixture(scope="module")
 def plan():
-    plan = planning.load_plan(planning.ROOT / "params/studies/krueger2014.json", "quick")
+    plan = load_plan(ROOT / "params/studies/krueger2014.json", "quick")
     return with_index(plan, {run["id"]: 7.5 for run in plan["runs"]})
 
 

@@ -5,7 +5,7 @@ import pytest
 from claim_tables import DEFAULT, NUMBERS, SHIFTS, bracket, fit_rows, judged, passage, tables
 from study.paper.claims import grid, load_claims
 from study.paper.readings import class_within, view
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 from study.planning.points import merged
 
 OTHER = {"id": "other", "sweep": "other", "series": "other"}

@@ -4,7 +4,8 @@ import pandas as pd
 import pytest
 from short_passage import DLD, needs_solver
 from study.planning.dld import answers
-from study.planning.plan import SCHEMAS, load_plan, read_json
+from study.planning.documents import SCHEMAS, read_json
+from study.planning.plan import load_plan
 from study.planning.precheck import seconds_of_runs
 from study.planning.schedule import bracket_priority, case_priority, run_priorities
 

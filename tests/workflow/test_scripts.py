@@ -8,7 +8,7 @@ import pandas as pd
 import pytest
 from study.paper.grades import CONTRADICTS, GRADES, HOLDS, NOT_REPRODUCED, NOT_RUN, REPRODUCED
 from study.paper.wording import WORDS
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 from study.planning.points import STUDY_GROUPS
 
 EXPERIMENT = "params/experiment/tweezer_experiment.csv"

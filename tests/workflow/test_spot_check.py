@@ -11,7 +11,8 @@ from study.analysis.passages import COLUMNS, row_of
 from study.analysis.runs import passage_runs
 from study.analysis.spot_check import case_of, compared, drawn, texts
 from study.analysis.tables import read_table
-from study.planning.plan import read_json, run_id
+from study.planning.cases import run_id
+from study.planning.documents import read_json
 
 ROW = {
     "sweep": "grid",

@@ -15,13 +15,15 @@ import numpy as np
 import pandas as pd
 import pytest
 from study.analysis.boundary import UNDISPUTED
-from study.planning import plan as planning
+from study.planning.cases import resolved, run_id
+from study.planning.documents import SCHEMAS, read_json
+from study.planning.points import merged
 from study.planning.stability import crossing, judge, maps
 
 ROOT = Path(__file__).resolve().parents[2]
 DLD = Path(os.environ.get("DLD", ROOT / "build/dld"))
 needs_solver = pytest.mark.skipif(not DLD.exists(), reason="the solver is not built")
-CASE_SCHEMA = planning.read_json(planning.SCHEMAS / "case.schema.json")
+CASE_SCHEMA = read_json(SCHEMAS / "case.schema.json")
 PRESETS = CASE_SCHEMA["properties"]["accuracy"]["x-presets"]
 
 HEALTHY = {
@@ -35,18 +37,18 @@ HEALTHY = {
 
 
 def identity(case):
-    return planning.run_id(planning.resolved(case, CASE_SCHEMA), 1)
+    return run_id(resolved(case, CASE_SCHEMA), 1)
 
 
 @pytest.mark.parametrize("name", PRESETS)
 def test_a_preset_is_the_same_run_as_its_settings_spelled_out(name):
     preset = {"scene": "passage", "accuracy": name}
-    assert identity(preset) == identity(planning.merged({"scene": "passage"}, PRESETS[name]))
+    assert identity(preset) == identity(merged({"scene": "passage"}, PRESETS[name]))
 
 
 def test_an_explicit_key_wins_over_the_preset():
     case = {"scene": "passage", "accuracy": "reference", "fluid": {"force_density": 1e-5}}
-    fluid = planning.resolved(case, CASE_SCHEMA)["fluid"]
+    fluid = resolved(case, CASE_SCHEMA)["fluid"]
     assert fluid["force_density"] == 1e-5
     assert fluid["lattice_spacing_um"] == PRESETS["reference"]["fluid"]["lattice_spacing_um"]
 
@@ -148,7 +150,7 @@ def write_case(folder, **sections):
         "output": {"flow_field": False},
     }
     path = folder / "case.json"
-    path.write_text(json.dumps(planning.merged(coarse, sections)), encoding="utf-8")
+    path.write_text(json.dumps(merged(coarse, sections)), encoding="utf-8")
     return path
 
 

@@ -1,16 +1,19 @@
 """Studies: files of their own, with the sections that they have and no others."""
 
 import copy
+import json
 import subprocess
 import sys
 
 import pytest
 from study.analysis.devices import circle_facts, pressure_gradient_bar_per_m
-from study.planning import plan as planning
 from study.planning.arrays import case_parts
+from study.planning.documents import SCHEMAS, problems, read_json
 from study.planning.folders import PAPER, results_folder, study_file
+from study.planning.plan import load_plan, make_plan
+from study.planning.tiers import load_study
 
-CASE_SCHEMA = planning.read_json(planning.SCHEMAS / "case.schema.json")
+CASE_SCHEMA = read_json(SCHEMAS / "case.schema.json")
 SMALL = {
     "title": "Two devices",
     "purpose": "A test.",
@@ -39,18 +42,18 @@ SMALL = {
 
 def plan_of(document, tmp_path, tier="full"):
     path = tmp_path / "small.json"
-    path.write_text(planning.json.dumps(document), encoding="utf-8")
-    return planning.load_plan(path, tier)
+    path.write_text(json.dumps(document), encoding="utf-8")
+    return load_plan(path, tier)
 
 
 def test_every_committed_study_has_a_plan(root):
     for path in sorted((root / "params/studies").glob("*.json")):
-        study = planning.load_study(path)
+        study = load_study(path)
         for tier in study["tiers"]:
-            plan = planning.make_plan(study, tier, CASE_SCHEMA)
+            plan = make_plan(study, tier, CASE_SCHEMA)
             assert plan["runs"], path
             for run in plan["runs"]:
-                assert planning.problems(run["case"], CASE_SCHEMA) == []
+                assert problems(run["case"], CASE_SCHEMA) == []
 
 
 def test_a_study_with_one_section_asks_for_its_runs_alone(tmp_path):

@@ -4,14 +4,15 @@ import copy
 import json
 
 import pytest
-from study.planning import plan as planning
+from study.planning.documents import read_json
+from study.planning.plan import load_plan
 from study.planning.validation import load_json
 
 
 @pytest.fixture
 def raw(root):
     """The study as it stands in its file."""
-    return copy.deepcopy(planning.read_json(root / "params/studies/krueger2014.json"))
+    return copy.deepcopy(read_json(root / "params/studies/krueger2014.json"))
 
 
 @pytest.fixture
@@ -22,7 +23,7 @@ def error_of(tmp_path):
         path = tmp_path / "study.json"
         path.write_text(study if isinstance(study, str) else json.dumps(study), encoding="utf-8")
         with pytest.raises(ValueError) as error:
-            planning.load_plan(path, tier)
+            load_plan(path, tier)
         assert str(path) in str(error.value) or "cases of the study" in str(error.value)
         return str(error.value)
 

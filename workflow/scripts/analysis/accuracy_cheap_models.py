@@ -6,7 +6,7 @@ import time
 from study.analysis import cheap_models as models
 from study.analysis.arguments import required_arguments
 from study.analysis.tables import write_table
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = [
     "method",

@@ -10,7 +10,7 @@ from study.analysis.arguments import table_arguments
 from study.analysis.runs import load_runs
 from study.analysis.tables import read_table
 from study.numerics.fits import first_order_limit
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 GOALS = [0.1, 0.03, 0.01, 0.003]
 

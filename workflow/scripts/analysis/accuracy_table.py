@@ -9,7 +9,7 @@ from study.analysis import accuracy
 from study.analysis.arguments import table_arguments
 from study.analysis.runs import load_runs
 from study.analysis.tables import read_table, write_table
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 
 def cheap_rows(path, settings):

@@ -7,7 +7,7 @@ from study.analysis.midplane import MidPlaneFlow
 from study.analysis.runs import load_runs
 from study.analysis.surface import outline
 from study.analysis.tables import write_table
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = ["kind", "line", "x_um", "y_um"]
 

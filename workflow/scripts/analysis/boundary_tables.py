@@ -7,7 +7,8 @@ from study.analysis.arguments import required_arguments
 from study.analysis.boundary import UNDISPUTED, undisputed
 from study.analysis.tables import write_table
 from study.planning.brackets import point_at
-from study.planning.plan import read_json, study_brackets
+from study.planning.documents import read_json
+from study.planning.plan_file import study_brackets
 
 BOUNDARY = [
     "dx_um",

@@ -10,7 +10,7 @@ from study.analysis.arguments import required_arguments
 from study.analysis.boundary import UNDISPUTED, undisputed
 from study.analysis.tables import write_table
 from study.planning.brackets import cut
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 REFERENCE = ["reference_displaced", "reference_zigzag"]
 CHANGES = ["change_percent", "least_change_percent", "most_change_percent"]

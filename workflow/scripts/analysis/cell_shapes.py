@@ -4,7 +4,7 @@ import numpy as np
 from study.analysis.arguments import required_arguments
 from study.analysis.runs import load_runs
 from study.analysis.tables import write_table
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = ["shape", "vertex", "x_um", "y_um", "z_um"]
 

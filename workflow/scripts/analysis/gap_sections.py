@@ -5,7 +5,7 @@ from study.analysis.arguments import required_arguments
 from study.analysis.runs import load_runs
 from study.analysis.surface import outline
 from study.analysis.tables import write_table
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 SHAPES = ["capillary_number", "vertex", "x_um", "y_um", "z_um"]
 LINES = ["capillary_number", "point", "x_um", "y_um"]

@@ -6,7 +6,7 @@ import math
 from study.analysis.arguments import table_arguments
 from study.analysis.runs import load_runs
 from study.analysis.tables import read_table, write_table
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 from study.planning.points import choices
 
 COLUMNS = [

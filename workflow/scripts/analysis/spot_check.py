@@ -9,7 +9,7 @@ from collections import Counter
 
 from study.analysis.spot_check import ALIKE, OTHER, SAME
 from study.analysis.tables import write_table
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 SHOWN = ["sweep", "dx_um", "row_shift_um", "capillary_number"]
 COLUMNS = [

@@ -6,7 +6,7 @@ import statistics
 from study.analysis.arguments import table_arguments
 from study.analysis.runs import bracket_runs, load_runs
 from study.analysis.tables import write_table
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = ["stage", "part", "dx_um", "runs", "total_s", "median_s", "longest_s"]
 STYLES = {"dx_um": ".4f", "total_s": ".1f", "median_s": ".1f", "longest_s": ".1f"}

@@ -7,7 +7,7 @@ from study.analysis.arguments import table_arguments
 from study.analysis.runs import load_runs
 from study.analysis.tables import write_table
 from study.numerics.fits import refined_limit
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 LIMITS = {
     "s_um": "separation_um",

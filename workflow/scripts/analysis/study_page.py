@@ -6,7 +6,7 @@ import pandas as pd
 from study.analysis.arguments import required_arguments
 from study.analysis.devices import shear_modulus
 from study.analysis.tables import markdown_table, read_table
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 TITLES = {
     "fig_devices": "The devices. Grey: pillars. The lines divide the flow between them.",

@@ -6,7 +6,7 @@ from itertools import combinations
 from study.analysis.arguments import required_arguments
 from study.analysis.devices import pressure_gradient_bar_per_m, shear_modulus
 from study.analysis.tables import read_table, write_table
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = ["device", "row_shift_um", "displaced_cell", "zigzag_cell", "from_bar_per_m", "to_bar_per_m"]
 COLUMNS += ["ratio"]

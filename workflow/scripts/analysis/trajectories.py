@@ -3,7 +3,7 @@
 from study.analysis.arguments import table_arguments
 from study.analysis.runs import load_runs
 from study.analysis.tables import write_table
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = ["row_shift_um", "capillary_number", "class", "step", "x_um", "y_um"]
 SPACING_UM = 0.5  # smallest distance along x between two points

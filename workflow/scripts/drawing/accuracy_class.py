@@ -4,7 +4,7 @@ and the rule that needs no passage, over the passages of some sweeps. Columns as
 from study.analysis import accuracy, class_rules
 from study.analysis.arguments import required_arguments
 from study.analysis.tables import read_table, write_table
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 
 def main():

@@ -7,7 +7,7 @@ import numpy as np
 from study.analysis.arguments import figure_arguments
 from study.analysis.tables import write_table
 from study.drawing import style
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 RADIUS, PITCH, SHIFT, DEPTH = 10.0, 32.0, 8.0, 4.8  # um; the row shift is that of eps = 20/80
 

@@ -4,7 +4,7 @@ from study.analysis.arguments import required_arguments
 from study.analysis.surface import draw_cell
 from study.analysis.tables import read_table
 from study.drawing import style
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 
 def main():

@@ -5,7 +5,7 @@ import numpy as np
 from study.analysis.arguments import required_arguments
 from study.analysis.tables import read_table
 from study.drawing import style
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 RADIUS, PITCH = 10.0, 32.0  # um
 

@@ -6,7 +6,7 @@ from study.analysis.measured import read_measured
 from study.analysis.surface import draw_cell
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 EXPERIMENTS = {
     "SURESH2005_FIG7": ("Suresh et al. 2005", "o", style.BLACK),

@@ -5,7 +5,7 @@ from matplotlib.colors import to_rgba
 from study.analysis.arguments import figure_arguments
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = [
     "row_shift_um",

@@ -6,7 +6,7 @@ from study.analysis.arguments import required_arguments
 from study.analysis.tables import read_table
 from study.drawing import style
 from study.paper.claims import load_claims
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 RADIUS, PITCH = 10.0, 32.0  # um
 WIDTHS = [4.6, 3.4, 2.3, 1.3, 0.5]  # points, stiff to soft

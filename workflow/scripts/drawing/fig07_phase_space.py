@@ -19,7 +19,7 @@ from study.drawing import style
 from study.paper.claims import SERIES, load_claims
 from study.planning.brackets import FROM_CELLS
 from study.planning.classes import DECIDED
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = ["kind", "series", "row_shift_um", "capillary_number", "class", "printed_class", *UNDISPUTED]
 COLUMNS += ["status", "contradictions", "d_um", "d_low_um", "d_high_um"]

@@ -12,7 +12,7 @@ from study.analysis.surface import draw_cell, draw_from_above, section
 from study.analysis.tables import read_table
 from study.drawing import style
 from study.paper.claims import load_claims
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 RADIUS, PITCH, DEPTH = 10.0, 32.0, 4.8  # um
 LEFT, RIGHT = -8.0, 8.0  # um, where the bars of 2s and of D_perp stand

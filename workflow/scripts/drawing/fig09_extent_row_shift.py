@@ -4,13 +4,13 @@ the same for the law fitted here, and how many cells each leaves on the wrong si
 
 import numpy as np
 from study.analysis.arguments import figure_arguments
-from study.analysis.extent import GREY, draw_classes, law_of, note_missing, of_sweep
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
+from study.drawing.extent import GREY, draw_classes, law_of, note_missing, of_sweep
 from study.numerics.fits import power_law
 from study.paper.claims import load_claims
 from study.planning.classes import DECIDED
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 PITCH = 32.0  # um
 POINTS = ["row_shift_um", "epsilon", "capillary_number", "class", "d_perp_um", "run"]

@@ -4,12 +4,12 @@ optical tweezer at Ca_tw = (2 F / A) r / kS = Ca."""
 
 import numpy as np
 from study.analysis.arguments import figure_arguments
-from study.analysis.extent import GREY, capillary_axis, draw_classes, note_missing, of_sweep
 from study.analysis.tables import read_table, write_table
 from study.analysis.tweezer import TweezerCurve
 from study.drawing import style
+from study.drawing.extent import GREY, capillary_axis, draw_classes, note_missing, of_sweep
 from study.paper.claims import load_claims
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = ["row_shift_um", "capillary_number", "class", "in_window", "d_perp_um"]
 LINES = [(0, (1, 1)), (0, (5, 2)), (0, (3, 1, 1, 1))]

@@ -3,11 +3,11 @@ needs no passage, and centre at the gap line against s, which does. Filled: righ
 rule or the simulation gives no class."""
 
 from study.analysis.arguments import figure_arguments
-from study.analysis.extent import GREY, MARKERS, capillary_axis, of_sweep, panel_note
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
+from study.drawing.extent import GREY, MARKERS, capillary_axis, of_sweep, panel_note
 from study.planning.classes import DECIDED
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 RULES = {
     "tweezer": r"tweezer diameter > 2$s$",

@@ -5,11 +5,11 @@ line is the paper's Eq. (5). Arrows are open ends: the boundary lies beyond."""
 import numpy as np
 from study.analysis.arguments import figure_arguments
 from study.analysis.boundary import PARAMETERS, UNDISPUTED, critical_capillary_number
-from study.analysis.extent import panel_note
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
+from study.drawing.extent import panel_note
 from study.paper.claims import load_claims
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 REFERENCE = ["reference_displaced", "reference_zigzag"]
 COLUMNS = ["row_shift_um", "cause", "setting", "reference", *UNDISPUTED, *REFERENCE]

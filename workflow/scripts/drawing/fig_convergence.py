@@ -10,7 +10,7 @@ from study.analysis.arguments import figure_arguments
 from study.analysis.runs import load_runs
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = ["point", "error_kind", "method", "spacing", "value", "class"]
 STYLES = {"spacing": ".4f", "value": ".4f"}

@@ -2,10 +2,10 @@
 cells, a line for every row shift, over the lattice spacing, below which it is not resolved."""
 
 from study.analysis.arguments import figure_arguments
-from study.analysis.extent import capillary_axis, note_missing, of_sweep, shade
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
-from study.planning.plan import read_json
+from study.drawing.extent import capillary_axis, note_missing, of_sweep, shade
+from study.planning.documents import read_json
 
 COLUMNS = ["row_shift_um", "capillary_number", "class", "dx_um", "film_um", "run"]
 

@@ -7,7 +7,7 @@ from study.analysis.arguments import figure_arguments
 from study.analysis.tables import write_table
 from study.drawing import style
 from study.drawing.style import plt
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 RADIUS, PITCH, SHIFT = 10.0, 32.0, 8.0  # um; the row shift is that of eps = 1/4
 GAP = PITCH - 2 * RADIUS

@@ -6,10 +6,10 @@ import math
 
 from matplotlib.ticker import MultipleLocator
 from study.analysis.arguments import figure_arguments
-from study.analysis.extent import GREY, of_sweep, shade
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
-from study.planning.plan import read_json
+from study.drawing.extent import GREY, of_sweep, shade
+from study.planning.documents import read_json
 
 COLUMNS = [
     "row_shift_um",

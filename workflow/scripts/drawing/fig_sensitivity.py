@@ -5,11 +5,11 @@ Whiskers span the bracket, that of the default settings not included."""
 
 import numpy as np
 from study.analysis.arguments import figure_arguments
-from study.analysis.extent import panel_note
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
+from study.drawing.extent import panel_note
 from study.paper.wording import words
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = ["observable", "choice", "value", "words", "row_shift_um", "capillary_number", "result", "low"]
 COLUMNS += ["high", "class", "class_changed", "change", "at_least", "relative_change", "unit"]

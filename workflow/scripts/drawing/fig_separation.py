@@ -4,7 +4,7 @@ the one above it. A pillar that looks the same from both sides has one s."""
 from study.analysis.arguments import required_arguments
 from study.analysis.tables import read_table
 from study.drawing import style
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 SIDES = {"s_um": ("o", "pillar below"), "s_upper_um": ("^", "pillar above")}
 

@@ -5,12 +5,12 @@ CSV: the cell lingers at a stagnation point of the gap, so that it grows as -ln 
 import numpy as np
 from study.analysis.arguments import figure_arguments
 from study.analysis.boundary import PARAMETERS, critical_capillary_number
-from study.analysis.extent import GREY, MARKERS, panel_note, shade
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
+from study.drawing.extent import GREY, MARKERS, panel_note, shade
 from study.paper.claims import load_claims
 from study.planning.classes import DECIDED
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = [
     "sweep",

@@ -20,7 +20,7 @@ from study.analysis.frontier import on_frontier, step_line
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
 from study.paper.claims import SWEEP
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = ["quantity", "name", "cells", "minutes", "error", "at_least", "band"]
 #: Series of brackets that were made with a preset, and the preset.

@@ -4,7 +4,7 @@ one zigzags to where the other is no longer displaced."""
 from study.analysis.arguments import required_arguments
 from study.analysis.tables import read_table
 from study.drawing import style
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 THICK, APART = 4, 0.09  # of a bar: points, um from one pair to the next
 

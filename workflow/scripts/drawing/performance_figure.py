@@ -4,7 +4,7 @@ import numpy as np
 from study.analysis.arguments import figure_arguments
 from study.analysis.tables import read_table
 from study.drawing import style
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 RATES = ["bare collision", "fluid step 80^2", "fluid step 160^2", "fluid step 320^2"]
 COLOURS = [

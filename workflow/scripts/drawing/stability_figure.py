@@ -6,7 +6,7 @@ from matplotlib.colors import ListedColormap
 from study.analysis.arguments import figure_arguments
 from study.analysis.tables import read_table
 from study.drawing.style import BLACK, BLUE, PAGE, SKY, VERMILION, YELLOW, new_figure, plt, save
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 from study.planning.stability import STATUSES
 
 FACES = {"works": SKY, "inaccurate": YELLOW, "fails": VERMILION}

@@ -3,7 +3,7 @@
 from study.analysis.arguments import figure_arguments
 from study.analysis.tables import read_table
 from study.drawing.style import PAGE, SERIES, VERMILION, new_figure, save
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 #: Column, label, factor, and the bounds that the project asks for.
 PANELS = [

@@ -7,7 +7,7 @@ from study.analysis.tables import read_table, write_table
 from study.drawing import style
 from study.numerics.fits import power_law
 from study.paper.claims import load_claims
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 PITCH = 32.0  # um
 ROUNDING = 0.05  # um, of the printed values

@@ -17,7 +17,7 @@ from study.analysis.arguments import figure_arguments
 from study.analysis.frontier import on_frontier, step_line
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = [
     "point",

@@ -20,7 +20,7 @@ from study.paper.claims import CHECKS, Undecidable
 from study.paper.claims_page import page
 from study.paper.grades import NOT_DECIDED, NOT_RUN, OTHERWISE, graded, limit_of
 from study.paper.readings import view
-from study.planning.plan import read_json, validated
+from study.planning.documents import read_json, validated
 
 TABLES = ["streamline_separation", "fits", "stokes_checks", "units", "stretching", "passages"]
 TABLES += ["phase_boundary", "critical_row_shift", "a_priori"]

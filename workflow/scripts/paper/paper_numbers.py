@@ -8,7 +8,7 @@ from pathlib import Path
 from study.analysis.tables import read_table
 from study.paper.article_tables import article_tables
 from study.paper.manuscript import numbers, table, typeset
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 
 def loaded_tables(folder, claims):

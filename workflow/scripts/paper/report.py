@@ -13,7 +13,7 @@ from study.paper.claims import load_claims
 from study.paper.claims_page import column_of
 from study.paper.grades import GRADES
 from study.paper.templates import filled
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 #: Tables shown under the figures where the tier has them: title and most rows shown.
 TABLES = {

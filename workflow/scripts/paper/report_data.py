@@ -5,7 +5,7 @@ from collections import Counter
 
 from study.analysis.runs import load_runs, passage_runs
 from study.analysis.tables import write_table
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 SPACING_UM = 4.0  # smallest distance along x between two points of a thumbnail
 TRAJECTORIES = ["run", "x_um", "y_um"]

@@ -10,7 +10,7 @@ from study.analysis.tables import read_table
 from study.paper import results_page
 from study.paper.claims import SWEEP
 from study.paper.templates import filled
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 
 def context(arguments):

@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 
 from study.planning.brackets import bracket
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("--plan", required=True)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from study.analysis.solve import solved
 from study.planning.brackets import at_value
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 
 def wanted(state, side, confirm):

@@ -3,7 +3,8 @@
 import argparse
 import sys
 
-from study.planning.plan import SCHEMAS, load_plan, read_json
+from study.planning.documents import SCHEMAS, read_json
+from study.planning.plan import load_plan
 from study.planning.precheck import seconds_of_runs
 
 parser = argparse.ArgumentParser(description=__doc__)

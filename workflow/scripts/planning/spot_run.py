@@ -14,7 +14,7 @@ from study.analysis.runs import Run
 from study.analysis.solve import solved
 from study.analysis.spot_check import compared, texts
 from study.paper.claim_runs import NUMBERS, case_of_run, judged, numbers_in, numbers_of
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 
 def passage(committed, run):

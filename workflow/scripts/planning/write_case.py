@@ -3,7 +3,7 @@
 import argparse
 import json
 
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("--plan", required=True)

@@ -20,18 +20,8 @@ FROM_SUMMARY = [
     "failing_value",
     "failing_step",
 ]
-#: By which the rows are sorted.
+#: Where a passage stands, by which the rows are sorted.
 KEYS = [
-    "sweep",
-    "device",
-    "cell",
-    "dx_um",
-    "skalak_denominator",
-    "lateral_flow",
-    "row_shift_um",
-    "capillary_number",
-]
-COLUMNS = [
     "sweep",
     "device",
     "cell",
@@ -41,11 +31,8 @@ COLUMNS = [
     "row_shift_um",
     "epsilon",
     "capillary_number",
-    "class",
-    *FROM_SUMMARY,
-    "speed_um_per_kilostep",
-    "run",
 ]
+COLUMNS = [*KEYS, "class", *FROM_SUMMARY, "speed_um_per_kilostep", "run"]
 STYLES = {
     "dx_um": ".4f",
     "row_shift_um": ".1f",

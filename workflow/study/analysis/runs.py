@@ -10,7 +10,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from study.planning.plan import read_json, study_brackets
+from study.planning.documents import read_json
+from study.planning.plan_file import study_brackets
 
 #: What the solver writes behind the HDF5 data: length and CRC-32 of every byte before it.
 SEAL_BEGIN = b"\ndld seal "

@@ -8,9 +8,9 @@ import time
 from pathlib import Path
 
 from study.analysis.runs import DamagedRun, checked_summary
+from study.planning.cases import run_id
 from study.planning.classes import DECIDED
 from study.planning.failures import FAILED, stated_status
-from study.planning.plan import run_id
 
 FINISHED = (*DECIDED, "undecided", "diverged", "converged")
 ENDED = (*FINISHED, FAILED)

@@ -9,7 +9,7 @@ import random
 from study.analysis.passages import COLUMNS, STYLES
 from study.analysis.tables import cell
 from study.planning.brackets import at_value
-from study.planning.plan import run_id
+from study.planning.cases import run_id
 
 #: Largest relative difference of D_perp that counts as the same result on another processor or compiler.
 CLOSE = 0.005

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import pandas as pd
 
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 LATTICE_UM = 0.4
 SWEEP, SERIES, VARIANT = "grid", "default", "paper"

@@ -7,9 +7,12 @@ from pathlib import Path
 
 from study.planning.arrays import case_parts
 from study.planning.brackets import at_value
+from study.planning.cases import run_id
 from study.planning.dld import answers
 from study.planning.dld import words as words_of
-from study.planning.plan import CELLS, expanded, plan_points, read_json, run_id
+from study.planning.documents import read_json
+from study.planning.plan import CELLS, plan_points
+from study.planning.tiers import expanded
 from study.planning.validation import listing, load_json, pointer
 
 

@@ -8,7 +8,7 @@ each, so that a slower machine is known after some runs.
 from collections import Counter
 from dataclasses import dataclass, field
 
-from study.planning.plan import run_id
+from study.planning.cases import run_id
 
 #: Seconds of a solver run that the solver has not been asked about.
 UNKNOWN = 10.0

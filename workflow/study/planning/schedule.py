@@ -4,7 +4,7 @@ The work is what the solver expects (`study.planning.precheck`), in seconds by i
 there is no solver to ask, every job has the same priority.
 """
 
-from study.planning.plan import run_id
+from study.planning.cases import run_id
 
 
 def priority(seconds):
