@@ -9,8 +9,8 @@ import json
 from itertools import product
 from pathlib import Path
 
-from study.planning import points, stability
-from study.planning.arrays import case_parts
+from study.planning import meshes, points, stability
+from study.planning.arrays import case_parts, with_moduli
 from study.planning.brackets import AXES, at_value, off_axis
 from study.planning.dld import in_capillary_number
 from study.planning.points import merged
@@ -87,11 +87,8 @@ def with_preset(case, case_schema):
 
 
 def _size_by_shape(given, cell):
-    """Leaves r to the solver where the shape has a size of its own; a ValueError for a mesh, whose content no
-    identity of a run covers yet."""
-    if cell["shape"] == "mesh":
-        raise ValueError("/cell/shape: a study has no meshes from files yet; run such a case with `dld run`")
-    if cell["shape"] == "ellipsoid" and "radius_um" not in given:
+    """Leaves r to the solver where the shape has a size of its own."""
+    if cell["shape"] in ("ellipsoid", "mesh") and "radius_um" not in given:
         del cell["radius_um"]
 
 
@@ -101,6 +98,7 @@ def resolved(case, case_schema):
     found = problems(case, case_schema)
     if found:
         raise ValueError("; ".join(found))
+    case = meshes.placed(case)
     if "operating" in case:
         case = in_capillary_number(case)
     full = with_defaults(with_preset(case, case_schema), case_schema)
@@ -117,7 +115,7 @@ def resolved(case, case_schema):
 
 def run_id(case, solver_model):
     """Identity of a run: the hash of its resolved case."""
-    return _fingerprint({"case": case, "solver_model": solver_model})
+    return _fingerprint({"case": meshes.identified(case), "solver_model": solver_model})
 
 
 #: What a tier has that leaves a part of the study out, once it was found to follow its schema.
@@ -252,8 +250,10 @@ def _fingerprint(value):
 
 
 def radius_um(part, case_schema):
-    """Radius r of a cell, um, from its part of a case."""
-    return with_defaults(part["cell"], case_schema["properties"]["cell"])["radius_um"]
+    """Radius r of a cell, um, from its part of a case; None where the solver takes it from a mesh."""
+    cell = with_defaults(part["cell"], case_schema["properties"]["cell"])
+    _size_by_shape(part["cell"], cell)
+    return meshes.radius_um(cell)
 
 
 #: (section, source of runs known beforehand), in the order of the plan.
@@ -304,7 +304,7 @@ def make_plan(study, tier_name, case_schema):
         "note": tier["note"],
         "solver_model": planner.solver_model,
         "devices": tier["devices"],
-        "cells": study["cells"],
+        "cells": with_moduli(study["cells"], tier),
         "radius_um": {name: radius_um(part, case_schema) for name, part in tier["cells"].items()},
         "sections": [name for name in tier if name in points.SECTIONS],
         "refinement": tier.get("streamlines", {}).get("refinement", {}),

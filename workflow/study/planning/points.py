@@ -86,11 +86,23 @@ def stretching(tier):
             yield "stretching", {"series": name}, merged(part["case"], point)
 
 
+def _drives(tier, part, cell):
+    """Parts of a case, one for each capillary number of a sweep or, in SI units, each pressure gradient."""
+    if "capillary_numbers" in part:
+        return [{"cell": {"capillary_number": capillary}} for capillary in part["capillary_numbers"]]
+    modulus = tier["shear_moduli_uN_per_m"][cell]
+    return [
+        {"operating": {"pressure_gradient_Pa_per_m": 1e5 * gradient, "shear_modulus_uN_per_m": modulus}}
+        for gradient in part["pressure_gradients_bar_per_m"]
+    ]
+
+
 def passages(tier):
     for name, part in tier["passages"].items():
         labels, parts = placed(tier, part)
-        for shift, capillary in product(part["row_shifts_um"], part["capillary_numbers"]):
-            yield "passages", {"sweep": name} | labels, merged(*parts, part["case"], _at(shift, capillary))
+        for shift, drive in product(part["row_shifts_um"], _drives(tier, part, labels["cell"])):
+            point = merged({"scene": "passage", "geometry": {"row_shift_um": shift}}, drive)
+            yield "passages", {"sweep": name} | labels, merged(*parts, part["case"], point)
 
 
 def choices(tier):

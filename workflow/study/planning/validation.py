@@ -286,6 +286,21 @@ def inconsistencies(tier, devices, cells):
                 place = [*path, "ca_ranges", shift]
                 yield place, f"the series has no row shift {shift}; it has {shifts}"
     yield from _circles(tier)
+    yield from _sweeps_in_si(tier)
+
+
+def _sweeps_in_si(tier):
+    """(path, text) of sweeps without one axis beside the row shift, and of those over the pressure of a cell
+    whose stiffness nothing tells."""
+    drives = ("capillary_numbers", "pressure_gradients_bar_per_m")
+    for name, entry in tier.get("passages", {}).items():
+        if sum(drive in entry for drive in drives) != 1:
+            yield ["passages", name], f"exactly one of {' and '.join(drives)} is needed"
+        cell = entry.get("cell", next(iter(tier["cells"])))
+        told = tier["cells"].get(cell, {})
+        if "pressure_gradients_bar_per_m" in entry and not {"shear_modulus_uN_per_m", "type"} & set(told):
+            place = ["passages", name, "pressure_gradients_bar_per_m"]
+            yield place, f"needs the stiffness of the cell; add /cells/{cell}/shear_modulus_uN_per_m"
 
 
 def listing(path, found):
