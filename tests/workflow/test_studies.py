@@ -97,6 +97,49 @@ def test_what_is_wrong_with_a_study_is_named(place, value, message, tmp_path):
         plan_of(document, tmp_path)
 
 
+DLD = planning.ROOT / "build/dld"
+
+
+@pytest.mark.skipif(not DLD.exists(), reason="the solver is not built")
+def test_a_sweep_over_the_pressure_is_one_over_the_capillary_number(tmp_path):
+    document = copy.deepcopy(SMALL)
+    document["cells"]["soft"]["shear_modulus_uN_per_m"] = 5.3
+    one = document["tiers"]["full"]["passages"]["one"]
+    one["pressure_gradients_bar_per_m"] = [0.5, 2.0]
+    del one["capillary_numbers"]
+    low, high, _ = plan_of(document, tmp_path)["runs"]
+    length = (16 * 4.8) ** 0.5  # of the wide device, um
+    for run, gradient in ((low, 0.5), (high, 2.0)):
+        number = run["case"]["cell"]["capillary_number"]
+        assert pressure_gradient_bar_per_m(number, 5.3, length, 3.9) == pytest.approx(gradient, rel=1e-6)
+        assert "operating" not in run["case"]
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"pressure_gradients_bar_per_m": [1.0]}, "add /cells/soft/shear_modulus_uN_per_m"),
+        ({}, "exactly one of capillary_numbers and pressure_gradients_bar_per_m is needed"),
+    ],
+)
+def test_a_sweep_has_one_axis_beside_the_row_shift(change, message, tmp_path):
+    document = copy.deepcopy(SMALL)
+    one = document["tiers"]["full"]["passages"]["one"]
+    del one["capillary_numbers"]
+    one |= change
+    with pytest.raises(ValueError, match=message):
+        plan_of(document, tmp_path)
+
+
+def test_the_stiffness_of_a_cell_is_that_of_its_type(tmp_path):
+    document = copy.deepcopy(SMALL)
+    document["cells"]["stiff"] = {"type": "malaria-stiffened"}
+    typed = planning.read_json(planning.CELLS / "malaria-stiffened.json")
+    plan = plan_of(document, tmp_path)
+    assert plan["cells"]["stiff"]["shear_modulus_uN_per_m"] == typed["shear_modulus_uN_per_m"]
+    assert plan["cells"]["soft"] == {}
+
+
 def test_a_named_cell_type_is_laid_under_what_the_study_says(tmp_path):
     (tmp_path / "soft.json").write_text(
         '{"cell": {"bending_ratio": 0.002, "viscosity_ratio": 2}}', encoding="utf-8"
@@ -112,8 +155,23 @@ def test_results_of_studies_and_tiers_have_folders_of_their_own():
     assert results_folder(f"params/studies/{PAPER}.json", "smoke", tiers) == "results/smoke"
     assert results_folder("params/studies/deep.json", "full", tiers) == "results/deep"
     assert results_folder("params/studies/deep.json", "smoke", tiers) == "results/deep/smoke"
-    with pytest.raises(ValueError, match="results/tables has another use"):
-        results_folder("params/studies/tables.json", "full", tiers)
+
+
+@pytest.mark.parametrize("name", ["tables", "figures", "runs", "logs", "quick", "smoke", "fine"])
+def test_a_study_with_the_name_of_a_folder_or_tier_of_the_results_is_refused(root, monkeypatch, name):
+    monkeypatch.chdir(root)
+    with pytest.raises(ValueError, match=f"results/{name} has another use; give the study another name"):
+        results_folder(f"params/studies/{name}.json", "full", {"full": {}})
+
+
+@pytest.mark.parametrize(
+    ("study", "tier", "place"),
+    [("deep", "tables", "results/deep/tables"), (PAPER, "triangle", "results/triangle")],
+)
+def test_a_tier_with_the_name_of_another_folder_is_refused(root, monkeypatch, study, tier, place):
+    monkeypatch.chdir(root)
+    with pytest.raises(ValueError, match=f"/tiers/{tier}: {place} has another use"):
+        results_folder(f"params/studies/{study}.json", "full", {"full": {}, tier: {}})
 
 
 def test_an_unknown_study_is_named_with_the_known_ones(root, monkeypatch):

@@ -53,7 +53,7 @@ def separation_lines(separation):
     def with_error(value, error):
         if pd.isna(error):
             return f"{value:.3f}"
-        return f"{value:.3f} ± {'< 0.001' if error < 0.0005 else f'{error:.3f}'}"
+        return f"{value:.3f} ± {error:.3f}" if error >= 0.0005 else f"{value:.4f} ± {error:.1g}"
 
     rows = [
         [

@@ -26,10 +26,11 @@ def draw_pillars(axes, outline, facts, shift):
 
 def mark_gap(axes, facts, outline):
     """G between two pillars of one row, where it is narrowest."""
-    column = outline[np.abs(outline[:, 0] - facts.gap_line_x_um) < 0.03 * facts.pitch_x_um, 1]
-    if not len(column):
-        return
-    lower = column.max()
+    (x0, y0), (x1, y1) = outline.T, np.roll(outline, -1, axis=0).T
+    met = np.minimum(x0, x1) <= facts.gap_line_x_um
+    met &= np.maximum(x0, x1) >= facts.gap_line_x_um
+    share = (facts.gap_line_x_um - x0[met]) / np.where(x1 == x0, 1, x1 - x0)[met]
+    lower = (y0[met] + share * (y1 - y0)[met]).max(initial=y0.min())
     arrow = {"arrowstyle": "<->", "lw": 0.7, "shrinkA": 0, "shrinkB": 0}
     x, upper = facts.gap_line_x_um, lower + facts.gap_um
     axes.annotate("", (x, lower), (x, upper), arrowprops=arrow, zorder=3)
