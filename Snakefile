@@ -65,6 +65,7 @@ include: "workflow/rules/runs.smk"
 include: "workflow/rules/flow.smk"
 include: "workflow/rules/boundary.smk"
 include: "workflow/rules/passages.smk"
+include: "workflow/rules/sensitivity.smk"
 include: "workflow/rules/shapes.smk"
 
 

@@ -97,6 +97,52 @@ def test_what_is_wrong_with_a_study_is_named(place, value, message, tmp_path):
         plan_of(document, tmp_path)
 
 
+def test_a_stretched_cell_has_the_stiffness_and_the_values_of_the_study(tmp_path):
+    document = copy.deepcopy(SMALL)
+    document["cells"]["stiff"]["shear_modulus_uN_per_m"] = 20.0
+    series = {"skalak_denominators": [12], "case": {"stretching": {"method": "static", "forces_pN": [0, 50]}}}
+    document["tiers"]["full"]["stretching"] = {"plain": series, "stiff": {"cell": "stiff"} | series}
+    runs = [run for run in plan_of(document, tmp_path)["runs"] if run["group"] == "stretching"]
+    plain, stiff = (run["case"] for run in runs)
+    assert [run["labels"] for run in runs] == [{"series": "plain"}, {"series": "stiff", "cell": "stiff"}]
+    assert stiff["stretching"]["shear_modulus_uN_per_m"] == 20.0
+    assert stiff["cell"]["bending_ratio"] == 0.001 != plain["cell"]["bending_ratio"]
+
+
+def test_the_sensitivity_of_a_study_is_that_of_its_own_device_and_cell(tmp_path):
+    document = copy.deepcopy(SMALL)
+    bracket = {"row_shifts_um": [4.0], "ca_range": [0.1, 1.0], "levels": 1}
+    document["tiers"]["full"] |= {
+        "boundary": {"case": {}, "series": {"own": bracket | {"device": "narrow", "case": {}}}},
+        "sensitivity": {
+            "device": "narrow",
+            "cell": "stiff",
+            "case": {},
+            "flow_case": {},
+            "points": [{"row_shift_um": 4.0, "capillary_number": 0.5}],
+            "choices": {"viscosity_ratio": {"1": {"case": {"cell": {"viscosity_ratio": 1}}}}},
+            "boundary": bracket | {"reference": "own", "choices": ["viscosity_ratio"]},
+        },
+    }
+    plan = plan_of(document, tmp_path)
+    runs = [run for run in plan["runs"] if run["group"].startswith("sensitivity")]
+    assert {run["case"]["geometry"]["pitch_um"] for run in runs} == {24}
+    assert {run["case"]["cell"]["bending_ratio"] for run in runs if "cell" in run["case"]} == {0.001}
+    bracket = plan["brackets"]["sensitivity/viscosity_ratio/1/d4"]
+    assert bracket["case"]["geometry"]["pitch_um"] == 24 and bracket["case"]["cell"]["bending_ratio"] == 0.001
+    assert {"device": "narrow", "cell": "stiff"}.items() <= bracket.items()
+
+
+@pytest.mark.parametrize("section", ["stokes", "uncertainty", "accuracy", "stability", "figures"])
+def test_a_section_of_the_print_is_refused_in_another_study_with_the_reason(section, root, tmp_path):
+    paper = planning.read_json(root / f"params/studies/{PAPER}.json")["tiers"]["paper"]
+    document = copy.deepcopy(SMALL)
+    document["tiers"]["full"] |= {name: paper[name] for name in ("streamlines", "boundary", section)}
+    message = rf"/tiers/full/{section}: its tables and figures are set against a print.*leave it out or use"
+    with pytest.raises(ValueError, match=message):
+        plan_of(document, tmp_path)
+
+
 DLD = planning.ROOT / "build/dld"
 
 

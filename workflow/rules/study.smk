@@ -9,6 +9,8 @@ STUDY_PAGE = f"{RESULTS}/README.md"
 STUDY_TABLES = []
 HAS_FLOW = "streamlines" in PLAN["sections"]
 HAS_CELLS = bool({"passages", "boundary"} & set(PLAN["sections"]))
+HAS_STRETCHING = "stretching" in PLAN["sections"]
+HAS_SENSITIVITY = "sensitivity" in PLAN["sections"]
 HAS_WINDOW = {"streamlines", "boundary"} <= set(PLAN["sections"]) and len(PLAN["cells"]) > 1
 
 
@@ -61,6 +63,31 @@ if HAS_WINDOW:
             python {input.script} --plan {input.plan} --boundary {input.boundary} --devices {input.devices} \
                 --output {output} 2> {log}
             """
+
+
+if HAS_STRETCHING:
+
+    STUDY_TABLES += [f"{TABLES}/stretching.csv"]
+
+    rule study_stretching:
+        input:
+            plan=PLAN_FILE,
+            runs=of_runs("run.h5", "stretching") + of_runs("summary.json", "stretching"),
+            script=f"{SCRIPTS}/analysis/study_stretching.py",
+            modules=modules_of(f"{SCRIPTS}/analysis/study_stretching.py"),
+        output:
+            f"{TABLES}/stretching.csv",
+        log:
+            f"{LOGS}/study_stretching.log",
+        params:
+            runs=RUNS,
+        shell:
+            "python {input.script} --plan {input.plan} --runs {params.runs} --output {output} 2> {log}"
+
+
+if HAS_SENSITIVITY:
+
+    STUDY_TABLES += [f"{TABLES}/sensitivity.csv"]
 
 
 include: "study_figures.smk"

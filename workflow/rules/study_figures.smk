@@ -68,3 +68,38 @@ if HAS_WINDOW:
             f"{LOGS}/fig_window.log",
         shell:
             "python {input.script} --plan {input.plan} --window {input.window} --output {output.pdf} 2> {log}"
+
+
+if HAS_STRETCHING:
+
+    rule figure_study_stretching:
+        input:
+            plan=PLAN_FILE,
+            table=rules.study_stretching.output,
+            script=f"{SCRIPTS}/drawing/fig_stretching.py",
+            modules=modules_of(f"{SCRIPTS}/drawing/fig_stretching.py"),
+        output:
+            multiext(f"{FIGURES}/fig_stretching", pdf=".pdf", png=".png"),
+        log:
+            f"{LOGS}/fig_stretching.log",
+        shell:
+            "python {input.script} --plan {input.plan} --table {input.table} --output {output.pdf} 2> {log}"
+
+
+if HAS_SENSITIVITY:
+
+    rule figure_study_sensitivity:
+        input:
+            plan=PLAN_FILE,
+            table=rules.sensitivity_table.output,
+            script=f"{SCRIPTS}/drawing/fig_sensitivity.py",
+            modules=modules_of(f"{SCRIPTS}/drawing/fig_sensitivity.py"),
+        output:
+            multiext(f"{FIGURES}/fig_sensitivity", pdf=".pdf", png=".png", csv=".csv"),
+        log:
+            f"{LOGS}/fig_sensitivity.log",
+        shell:
+            """
+            python {input.script} --plan {input.plan} --table {input.table} \
+                --csv {output.csv} --output {output.pdf} 2> {log}
+            """

@@ -16,8 +16,12 @@ TITLES = {
     "the last pillar.",
     "fig_separation": "Separation distance against the relative row shift.",
     "fig_phase_space": "What the cells do. A green bar is the interval of the critical Ca.",
+    "fig_stretching": "Stretched cells: axial (filled) and transverse (open) diameters against the force.",
+    "fig_sensitivity": "What choices of the model change: lateral extent, critical Ca, separation distance.",
     "fig_window": "The window in which the device tells the cells apart; bars stand around their row shift.",
 }
+#: Figures that stand in a section of their own; the others follow at the end.
+PLACED = ("fig_devices", "fig_separation", "fig_phase_space", "fig_window")
 #: What the states of a bracket mean.
 BRACKETS = {
     "open": "wider than its tolerance",
@@ -71,6 +75,13 @@ def separation_lines(separation):
     return markdown_table([*titles, "resistance (Pa s/m²)"], rows)
 
 
+def bracket_words(row):
+    """The state of a bracket; one without both ends is open for want of decided points."""
+    if row.status == "open" and pd.isna([row.ca_displaced, row.ca_zigzag]).any():
+        return "not decided"
+    return BRACKETS.get(row.status, row.status)
+
+
 def boundary_lines(boundary):
     """The brackets of the critical capillary number."""
 
@@ -84,7 +95,7 @@ def boundary_lines(boundary):
             f"{row.row_shift_um:g}",
             end(row.ca_displaced),
             end(row.ca_zigzag),
-            BRACKETS.get(row.status, row.status),
+            bracket_words(row),
         ]
         for row in boundary.sort_values(["device", "cell", "row_shift_um"]).itertuples()
     ]
@@ -176,7 +187,7 @@ def picture(name, folder):
 def other_pictures(folder):
     """The figures that no section above shows."""
     names = sorted(path.stem for path in (Path(folder) / "figures").glob("fig_*.png"))
-    found = [line for name in names if name not in TITLES for line in picture(name, folder)]
+    found = [line for name in names if name not in PLACED for line in picture(name, folder)]
     return ["## Further figures", "", *found] if found else []
 
 

@@ -27,12 +27,12 @@ def main():
     if table.empty:
         axes.text(0.5, 0.5, "no window: see the page of the study", ha="center", transform=axes.transAxes)
     else:
+        axes.set_yticks(shifts)
         axes.set_xscale("log")
         axes.set_xlim(0.85 * table.from_bar_per_m.min(), 1.15 * table.to_bar_per_m.max())
         style.log_numbers(axes.xaxis, table.from_bar_per_m.min(), table.to_bar_per_m.max())
     axes.set_xlabel("pressure gradient (bar/m = mbar/mm)")
     axes.set_ylabel("row shift d (µm)")
-    axes.set_yticks(shifts)
     style.legend_below(figure, 1)
     style.save(figure, arguments.output, read_json(arguments.plan)["note"])
 

@@ -81,9 +81,14 @@ def stokes(tier):
 
 def stretching(tier):
     for name, part in tier["stretching"].items():
+        labels, cell = {"series": name}, {}
+        if "cell" in part:
+            labels, cell = labels | {"cell": part["cell"]}, tier["cells"][part["cell"]]
+            if modulus := tier["shear_moduli_uN_per_m"][part["cell"]]:
+                cell = cell | {"stretching": {"shear_modulus_uN_per_m": modulus}}
         for denominator in part["skalak_denominators"]:
             point = {"scene": "stretching", "cell": {"skalak_denominator": denominator}}
-            yield "stretching", {"series": name}, merged(part["case"], point)
+            yield "stretching", labels, merged(cell, part["case"], point)
 
 
 def _drives(tier, part, cell):
@@ -118,15 +123,16 @@ def sensitivity(tier):
     shifts.
     """
     part = tier["sensitivity"]
+    _, place = placed(tier, part)
     for choice, value, entry in choices(tier):
         for point in part["points"]:
             shift, capillary = point["row_shift_um"], point["capillary_number"]
             labels = {"choice": choice, "value": value, "row_shift_um": shift, "capillary_number": capillary}
             run_at = _at(shift, capillary * entry.get("capillary_factor", 1))
-            yield "sensitivity", labels, merged(part["case"], entry["case"], run_at)
+            yield "sensitivity", labels, merged(*place, part["case"], entry["case"], run_at)
         for shift in dict.fromkeys(point["row_shift_um"] for point in part["points"]):
             labels = {"choice": choice, "value": value, "row_shift_um": shift}
-            overlay = merged(part["case"], entry["case"], part["flow_case"])
+            overlay = merged(*place, part["case"], entry["case"], part["flow_case"])
             flow = {"scene": "streamlines", "geometry": {"row_shift_um": shift}}
             yield "sensitivity-flow", labels, merged(overlay, flow)
 
@@ -191,7 +197,7 @@ def boundary_brackets(tier):
 def sensitivity_brackets(tier):
     """The same for the choices whose critical capillary number is asked for."""
     part = tier["sensitivity"]
-    boundary = part["boundary"]
+    boundary = part["boundary"] | {key: part[key] for key in ("device", "cell") if key in part}
     for choice, value, entry in choices(tier):
         if choice in boundary["choices"] and "series" not in entry and "capillary_factor" not in entry:
             series = f"sensitivity/{choice}/{value}"
