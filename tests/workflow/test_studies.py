@@ -239,3 +239,26 @@ def test_the_rules_of_a_study_ask_for_its_page(root, name):
     command = [sys.executable, "-m", "snakemake", "-n", "--quiet", "all", "--config", f"study={name}"]
     done = subprocess.run(command, cwd=root, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("name", ["triangle", "two-species", "deep"])
+def test_the_committed_figures_and_the_page_are_those_of_the_committed_tables(root, call, tmp_path, name):
+    results = root / "results" / name
+    tables, figures = results / "tables", tmp_path / "figures"
+    plan = planning.write_plan(
+        planning.load_plan(root / f"params/studies/{name}.json", "full"), tmp_path / "p"
+    )
+    inputs = {
+        "fig_devices": {"devices": "devices", "lines": "device_lines"},
+        "fig_separation": {"table": "streamline_separation"},
+        "fig_study_phase_space": {"passages": "passages", "boundary": "phase_boundary"},
+    }
+    if (tables / "window.csv").exists():
+        inputs["fig_window"] = {"window": "window"}
+    for figure, given in inputs.items():
+        drawn = figures / f"{figure.replace('study_', '')}.pdf"
+        call(figure, plan=plan, output=drawn, **{key: tables / f"{file}.csv" for key, file in given.items()})
+        for path in (drawn, drawn.with_suffix(".png")):
+            assert path.read_bytes() == (results / "figures" / path.name).read_bytes(), path.name
+    call("study_page", plan=plan, tables=tables, name=name, output=tmp_path / "README.md")
+    assert (tmp_path / "README.md").read_text("utf-8") == (results / "README.md").read_text("utf-8")
