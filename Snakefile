@@ -19,6 +19,8 @@ min_version("9.0")
 os.environ["PYTHONPATH"] = os.path.join(workflow.basedir, "workflow")  # the programs use the package of this tree
 os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
 sys.path.insert(0, os.path.join(workflow.basedir, "workflow"))
+if "dld" in config:
+    os.environ["DLD"] = os.path.abspath(config["dld"])  # the plan of a study in SI units asks the same solver
 
 from study.planning import progress
 from study.planning.failures import failed_runs, forget
