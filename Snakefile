@@ -19,10 +19,8 @@ min_version("9.0")
 os.environ["PYTHONPATH"] = os.path.join(workflow.basedir, "workflow")  # the programs use the package of this tree
 os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
 sys.path.insert(0, os.path.join(workflow.basedir, "workflow"))
-if "dld" in config:
-    os.environ["DLD"] = os.path.abspath(config["dld"])  # the plan of a study in SI units asks the same solver
 
-from study.planning import progress
+from study.planning import dld, progress
 from study.planning.failures import failed_runs, forget
 from study.planning.folders import PAPER, results_folder, study_file
 from study.planning.lock import Busy, only_looks, taken
@@ -35,6 +33,8 @@ OPTIONS = ["study", "tier", "dld", "sample", "seed", "most_node_updates", "only"
 for name in config:
     if name not in OPTIONS:
         raise ValueError(f"--config {name}: unknown; {hint(name, OPTIONS)}")
+if "dld" in config:
+    dld.DLD = Path(config["dld"]).absolute()  # the plan of a study in SI units asks the same solver
 STUDY = study_file(str(config.get("study", PAPER)))
 STUDY_TEXT = load_study(STUDY)
 TIER = str(config.get("tier", next(iter(STUDY_TEXT["tiers"]))))
