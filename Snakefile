@@ -20,7 +20,7 @@ os.environ["PYTHONPATH"] = os.path.join(workflow.basedir, "workflow")  # the pro
 os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
 sys.path.insert(0, os.path.join(workflow.basedir, "workflow"))
 
-from study.planning import progress
+from study.planning import dld, progress
 from study.planning.documents import SCHEMAS, read_json, validated
 from study.planning.failures import failed_runs, forget
 from study.planning.folders import PAPER, results_folder, study_file
@@ -36,6 +36,8 @@ OPTIONS = ["study", "tier", "dld", "sample", "seed", "most_node_updates", "only"
 for name in config:
     if name not in OPTIONS:
         raise ValueError(f"--config {name}: unknown; {hint(name, OPTIONS)}")
+if "dld" in config:
+    dld.DLD = Path(config["dld"]).absolute()  # the plan of a study in SI units asks the same solver
 STUDY = study_file(str(config.get("study", PAPER)))
 STUDY_TEXT = load_study(STUDY)
 TIER = str(config.get("tier", next(iter(STUDY_TEXT["tiers"]))))
@@ -68,6 +70,8 @@ include: "workflow/rules/runs.smk"
 include: "workflow/rules/flow.smk"
 include: "workflow/rules/boundary.smk"
 include: "workflow/rules/passages.smk"
+include: "workflow/rules/sensitivity.smk"
+include: "workflow/rules/shapes.smk"
 
 
 if "claims" in STUDY_TEXT:  # the study of a paper, judged by what is printed

@@ -12,6 +12,7 @@ class Circle final : public PillarShape {
   static constexpr const char* doc = "a circle";
   static std::vector<PillarParameter> parameters() {
     return {{.name = "radius_um",
+             .example = {10},
              .minimum = 0,
              .maximum = 1000,
              .open_minimum = true,

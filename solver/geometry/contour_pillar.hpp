@@ -25,9 +25,15 @@ class ContourPillar : public PillarShape {
   Contour contour_;
 };
 
-/// A length without default; the texts outlive the program's tables.
-inline PillarParameter length_parameter(const char* name, const char* doc) {
-  return {.name = name, .minimum = 0, .maximum = 1000, .open_minimum = true, .unit = "um", .doc = doc};
+/// A length without default, um; the texts outlive the program's tables.
+inline PillarParameter length_parameter(const char* name, double example, const char* doc) {
+  return {.name = name,
+          .example = {example},
+          .minimum = 0,
+          .maximum = 1000,
+          .open_minimum = true,
+          .unit = "um",
+          .doc = doc};
 }
 
 /// Adds a problem if the length of that name is not less than `limit`, which is `what`.

@@ -9,6 +9,7 @@ namespace dld {
 std::vector<PillarParameter> Ellipse::parameters() {
   return {{.name = "semi_axes_um",
            .kind = PillarParameter::Kind::pair,
+           .example = {12, 7},
            .minimum = 0,
            .maximum = 1000,
            .open_minimum = true,
@@ -16,6 +17,7 @@ std::vector<PillarParameter> Ellipse::parameters() {
            .doc = "a along x and b along y, before the rotation"},
           {.name = "rotation_deg",
            .fallback = 0,
+           .example = {20},
            .minimum = -360,
            .maximum = 360,
            .unit = "degrees",

@@ -8,10 +8,10 @@ class IShape final : public ContourPillar {
  public:
   static constexpr const char* doc = "an I about the middle of its web; rotation 0 has the web along y";
   static std::vector<PillarParameter> parameters() {
-    return {length_parameter("width_um", "length of the two flanges"),
-            length_parameter("height_um", "from outside to outside of the flanges"),
-            length_parameter("web_um", "thickness of the web, less than the width"),
-            length_parameter("flange_um", "thickness of a flange, less than half the height"),
+    return {length_parameter("width_um", 14, "length of the two flanges"),
+            length_parameter("height_um", 20, "from outside to outside of the flanges"),
+            length_parameter("web_um", 5, "thickness of the web, less than the width"),
+            length_parameter("flange_um", 5, "thickness of a flange, less than half the height"),
             rotation_parameter(),
             corner_radius_parameter()};
   }

@@ -9,10 +9,10 @@ class LShape final : public ContourPillar {
   static constexpr const char* doc =
       "an L about the middle of the box around it; rotation 0 has the stem along y and the foot towards +x";
   static std::vector<PillarParameter> parameters() {
-    return {length_parameter("width_um", "length of the foot, the stem included"),
-            length_parameter("height_um", "length of the stem, the foot included"),
-            length_parameter("stem_um", "thickness of the stem, less than the width"),
-            length_parameter("foot_um", "thickness of the foot, less than the height"),
+    return {length_parameter("width_um", 16, "length of the foot, the stem included"),
+            length_parameter("height_um", 20, "length of the stem, the foot included"),
+            length_parameter("stem_um", 6, "thickness of the stem, less than the width"),
+            length_parameter("foot_um", 6, "thickness of the foot, less than the height"),
             rotation_parameter(),
             corner_radius_parameter()};
   }

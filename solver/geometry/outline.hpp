@@ -10,6 +10,7 @@ class Outline final : public ContourPillar {
   static std::vector<PillarParameter> parameters() {
     return {{.name = "points_um",
              .kind = PillarParameter::Kind::points,
+             .example = {-9, -7, 10, -9, 4, 1, 9, 10, -8, 8},
              .minimum = -1000,
              .maximum = 1000,
              .unit = "um",

@@ -33,11 +33,19 @@ Entry entry(const char* name) {
 }
 
 const std::vector<Entry>& registry() {
+  // One line each, so that a new shape is a line of its own.
+  // clang-format off
   static const std::vector<Entry> entries{
-      entry<Circle>("circle"),     entry<Ellipse>("ellipse"), entry<Polygon>("polygon"),
-      entry<Teardrop>("teardrop"), entry<IShape>("i"),        entry<LShape>("l"),
-      entry<Outline>("outline"),   entry<NoPillar>("none"),
+      entry<Circle>("circle"),
+      entry<Ellipse>("ellipse"),
+      entry<Polygon>("polygon"),
+      entry<Teardrop>("teardrop"),
+      entry<IShape>("i"),
+      entry<LShape>("l"),
+      entry<Outline>("outline"),
+      entry<NoPillar>("none"),
   };
+  // clang-format on
   return entries;
 }
 
@@ -129,6 +137,16 @@ std::vector<PillarProblem> pillar_problems(const PillarValues& values) {
 
 std::unique_ptr<PillarShape> make_pillar(const PillarValues& values) {
   return find(values.shape).make(values);
+}
+
+PillarValues pillar_example(const std::string& shape) {
+  PillarValues pillar{shape};
+  for (const PillarParameter& p : find(shape).parameters()) {
+    if (p.example.empty() && !p.fallback)
+      throw std::logic_error(shape + ": " + std::string(p.name) + " needs an example");
+    pillar.values[std::string(p.name)] = p.example.empty() ? std::vector<double>{*p.fallback} : p.example;
+  }
+  return pillar;
 }
 
 std::vector<std::string> pillar_shape_names() {

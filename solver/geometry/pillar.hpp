@@ -21,6 +21,9 @@ struct PillarParameter {
   std::string_view name;
   Kind kind = Kind::number;
   std::optional<double> fallback = {};  ///< value when it is not given; none: it has to be given
+  /// Of the shape that pictures and the tests of every shape show; needed where there is no fallback. It fits
+  /// a pitch of 32 um.
+  std::vector<double> example = {};
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
   bool open_minimum = false;   ///< the minimum itself is not allowed
@@ -74,6 +77,9 @@ std::vector<PillarProblem> pillar_problems(const PillarValues& values);
 
 /// The shape of complete values without problems; throws std::invalid_argument for an unknown name.
 std::unique_ptr<PillarShape> make_pillar(const PillarValues& values);
+
+/// The shape of that name as its parameters' examples and defaults make it.
+PillarValues pillar_example(const std::string& shape);
 
 /// Registered names, in the order of the registry.
 std::vector<std::string> pillar_shape_names();

@@ -10,10 +10,12 @@ class Polygon final : public ContourPillar {
   static std::vector<PillarParameter> parameters() {
     return {{.name = "sides",
              .kind = PillarParameter::Kind::whole,
+             .example = {3},
              .minimum = 3,
              .maximum = 60,
              .doc = "number of sides"},
             {.name = "circumradius_um",
+             .example = {11},
              .minimum = 0,
              .maximum = 1000,
              .open_minimum = true,

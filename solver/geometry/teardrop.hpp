@@ -11,8 +11,9 @@ class Teardrop final : public ContourPillar {
   static constexpr const char* doc =
       "a teardrop; rotation 0 has the round nose towards -x and the sharp tail towards +x";
   static std::vector<PillarParameter> parameters() {
-    return {length_parameter("length_um", "from nose to tail"),
-            length_parameter("width_um", "diameter of the nose, less than the length"), rotation_parameter()};
+    return {length_parameter("length_um", 20, "from nose to tail"),
+            length_parameter("width_um", 12, "diameter of the nose, less than the length"),
+            rotation_parameter()};
   }
   static std::vector<PillarProblem> problems(const PillarValues& values) {
     const double length = values.number("length_um"), width = values.number("width_um");

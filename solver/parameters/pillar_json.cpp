@@ -106,6 +106,16 @@ Json number_schema(const PillarParameter& p) {
   return schema;
 }
 
+Json value_json(const PillarParameter& p, const std::vector<double>& numbers) {
+  if (p.kind == Kind::whole) return static_cast<int>(numbers.at(0));
+  if (p.kind == Kind::number) return numbers.at(0);
+  if (p.kind == Kind::pair) return numbers;
+  Json points = Json::array();
+  for (std::size_t k = 0; k + 1 < numbers.size(); k += 2)
+    points.push_back(Json::array({numbers[k], numbers[k + 1]}));
+  return points;
+}
+
 Json parameter_schema(const PillarParameter& p) {
   Json schema = {{"description", with_unit(p.doc, p.unit)}};
   const Json number = number_schema(p);
@@ -118,6 +128,7 @@ Json parameter_schema(const PillarParameter& p) {
     schema.update(number);
   }
   if (p.fallback) schema["default"] = *p.fallback;
+  if (!p.example.empty()) schema["examples"] = Json::array({value_json(p, p.example)});
   return schema;
 }
 
@@ -153,16 +164,7 @@ Json pillar_json(const PillarValues& values) {
   Json json = {{"shape", values.shape}};
   for (const PillarParameter& p : pillar_parameters(values.shape)) {
     const std::string name(p.name);
-    const std::vector<double>& numbers = values.values.at(name);
-    if (p.kind == Kind::whole) {
-      json[name] = static_cast<int>(numbers.at(0));
-    } else if (p.kind == Kind::number) {
-      json[name] = numbers.at(0);
-    } else if (p.kind == Kind::pair) {
-      json[name] = numbers;
-    } else {
-      json[name] = values.points(name);
-    }
+    json[name] = value_json(p, values.values.at(name));
   }
   return json;
 }

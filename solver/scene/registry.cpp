@@ -4,14 +4,26 @@
 
 namespace dld {
 
-// Each stands in the file of its scene. A new scene is added here.
-Scene streamlines_scene(), passage_scene(), stretching_scene(), channel_scene(), shear_scene();
+// Each stands in the file of its scene. A new one is a line here and a line in the list below.
+Scene streamlines_scene();
+Scene passage_scene();
+Scene stretching_scene();
+Scene channel_scene();
+Scene shear_scene();
 
 namespace {
 
 const std::vector<Scene>& scenes() {
-  static const std::vector<Scene> all = {streamlines_scene(), passage_scene(), stretching_scene(),
-                                         channel_scene(), shear_scene()};
+  // One line each, so that a new scene is a line of its own.
+  // clang-format off
+  static const std::vector<Scene> all{
+      streamlines_scene(),
+      passage_scene(),
+      stretching_scene(),
+      channel_scene(),
+      shear_scene(),
+  };
+  // clang-format on
   return all;
 }
 

@@ -33,9 +33,9 @@ struct Example {
 
 const std::vector<double> ell_corners{-6, -6, 8, -6, 8, -2, -2, -2, -2, 9, -6, 9};
 
-/// One of each kind, rounded and sharp, turned and not, convex and not.
+/// The example of every registered shape, and more: rounded and sharp, turned and not, convex and not.
 std::vector<Example> examples() {
-  return {
+  std::vector<Example> all{
       {"circle", values_of("circle", {{"radius_um", {10}}})},
       {"ellipse", values_of("ellipse", {{"semi_axes_um", {12, 5}}})},
       {"tall ellipse, turned", values_of("ellipse", {{"semi_axes_um", {4, 9}}, {"rotation_deg", {30}}})},
@@ -61,6 +61,10 @@ std::vector<Example> examples() {
       {"outline", values_of("outline", {{"points_um", ell_corners}})},
       {"rounded outline", values_of("outline", {{"points_um", ell_corners}, {"corner_radius_um", {1}}})},
   };
+  for (const std::string& shape : pillar_shape_names())
+    if (make_pillar(pillar_example(shape))->area() > 0)
+      all.push_back({"example of " + shape, pillar_example(shape)});
+  return all;
 }
 
 /// Many points of the surface: the outline with its chords cut; those of curves are moved onto the surface

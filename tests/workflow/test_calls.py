@@ -2,7 +2,6 @@
 
 import json
 import os
-import re
 import signal
 import subprocess
 import sys
@@ -10,10 +9,10 @@ import time
 from pathlib import Path
 
 import pytest
-import yaml
 from study.analysis.solve import status_in
 from study.planning import failures
 from study.planning.lock import Busy, only_looks, taken
+from study.planning.redraw import drawing_rules, rules_in
 
 ROOT = Path(__file__).resolve().parents[2]
 ENVIRONMENT = os.environ | {"PYTHONPATH": str(ROOT / "workflow")}
@@ -114,23 +113,16 @@ def test_a_damaged_summary_is_a_failure_and_named(folder):
     assert failures.failed_runs([folder.name], folder.parent) == {folder.name: "its summary is damaged"}
 
 
-def rules_of(text):
-    """{name: text} of the rules of a file."""
-    parts = re.split(r"^rule (\w+):\n", text, flags=re.MULTILINE)
-    return dict(zip(parts[1::2], parts[2::2], strict=True))
-
-
 def test_redraw_may_run_the_rules_that_read_tables_alone():
     rules = {}
     for path in (ROOT / "workflow/rules").rglob("*.smk"):
-        rules |= rules_of(path.read_text(encoding="utf-8"))
-    allowed = yaml.safe_load((ROOT / "workflow/profiles/redraw/config.yaml").read_text())["allowed-rules"]
-    assert set(allowed) <= set(rules)
-    for name in allowed:
-        assert not re.search(r"of_runs|RUNS\b|BRACKET|DLD|--runs", rules[name]), name
+        rules |= rules_in(path.read_text(encoding="utf-8"))
+    allowed = drawing_rules(ROOT / "workflow/rules")
+    assert {"redraw", "paper", "claims", "figure_phase_space", "figure_devices"} <= set(allowed)
+    assert not {"solve", "bracket_point", "figure_convergence", "passages_table"} & set(allowed)
     for name, text in rules.items():
         draws = "{FIGURES}" in text and "--output" in text and "--runs" not in text
-        assert not draws or name in allowed, f"{name} draws from tables: add it to the profile"
+        assert not draws or name in allowed, f"{name} draws from tables"
 
 
 def moved(tmp_path, name):
@@ -191,7 +183,7 @@ def test_a_failed_run_leaves_readable_files(folder):
         ("", "--logger study"),
         ("tier=quick", "--config tier=quick --logger study"),
         ("--config tier=smoke dld=x -n", "--config tier=smoke dld=x --logger study"),
-        ("redraw", "--profile workflow/profiles/redraw redraw"),
+        ("redraw", "--forceall redraw"),
         ("tier=quick redraw=fig07", "--config tier=quick only=fig07 --logger study"),
         ("claim=d-perp-6.8", "--config claim=d-perp-6.8 --logger study"),
         ("--cores 1 -- results/a.csv", "--keep-going --cores 1 -- results/a.csv"),

@@ -4,7 +4,7 @@ import json
 
 import pandas as pd
 import pytest
-from study.paper.wording import WORDS, words
+from study.drawing.wording import WORDS, words
 
 A_PRIORI = (
     "sweep,row_shift_um,capillary_number,class,predicted_tweezer,predicted_centre,right_tweezer,right_centre"

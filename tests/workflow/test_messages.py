@@ -73,13 +73,6 @@ def test_a_planned_ellipsoid_has_the_radius_of_its_axes(tmp_path):
     assert "warning" not in checked.stderr
 
 
-def test_a_study_says_that_it_has_no_meshes_from_files():
-    schema = read_json(SCHEMAS / "case.schema.json")
-    mesh = {"scene": "passage", "cell": {"shape": "mesh", "mesh_file": "cell.off"}}
-    with pytest.raises(ValueError, match="no meshes from files"):
-        resolved(mesh, schema)
-
-
 @needs_solver
 def test_nothing_is_said_of_the_cases_that_the_planner_writes(tmp_path):
     plan = load_plan(ROOT / "params/studies/krueger2014.json", "smoke")

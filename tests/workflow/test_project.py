@@ -64,6 +64,7 @@ def test_rules_have_no_lambdas_and_every_script_is_used():
     assert "lambda" not in rules
     used = rules + (ROOT / "Snakefile").read_text(encoding="utf-8")
     used += (ROOT / "workflow/test").read_text(encoding="utf-8")
+    used += (ROOT / "workflow/reproduce").read_text(encoding="utf-8")
     used += (ROOT / "workflow/scripts/run_case").read_text(encoding="utf-8")
     used += (ROOT / "docs/extending.md").read_text(encoding="utf-8")  # programs for people
     for script in (ROOT / "workflow/scripts").rglob("*"):

@@ -6,8 +6,8 @@ import shutil
 import h5py
 import pandas as pd
 import pytest
+from study.drawing.wording import WORDS
 from study.paper.grades import CONTRADICTS, GRADES, HOLDS, NOT_REPRODUCED, NOT_RUN, REPRODUCED
-from study.paper.wording import WORDS
 from study.planning.documents import read_json
 from study.planning.points import STUDY_GROUPS
 

@@ -1,8 +1,8 @@
 """All figures, the claims' page, the report and the article anew from the tables that are there, without a run and
 without the solver: `bash workflow/reproduce redraw`, or `redraw=fig07` for one figure.
 
-workflow/profiles/redraw names the rules that may run: those that read tables alone. What is made from the runs
-themselves stays as it is.
+Rules that read tables alone may run (study/planning/redraw.py finds them). What is made from the runs themselves
+stays as it is.
 """
 
 ON_REQUEST_FIGURES = [*WORK_PRECISION_FILES, *rules.accuracy_class.input, *STABILITY_FIGURES, *PERFORMANCE_FILES[1:]]

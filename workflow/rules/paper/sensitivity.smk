@@ -4,26 +4,6 @@ measured times."""
 SENSITIVITY_TABLES = expand("{folder}/{name}.csv", folder=TABLES, name=["sensitivity", "stage_times"])
 
 
-rule sensitivity_table:
-    input:
-        plan=PLAN_FILE,
-        runs=of_runs("summary.json", "sensitivity", "sensitivity-flow") + of_runs("run.h5", "sensitivity"),
-        boundary=rules.boundary_tables.output.boundary,
-        script=f"{SCRIPTS}/analysis/sensitivity_table.py",
-        modules=modules_of(f"{SCRIPTS}/analysis/sensitivity_table.py"),
-    output:
-        f"{TABLES}/sensitivity.csv",
-    log:
-        f"{LOGS}/sensitivity_table.log",
-    params:
-        runs=RUNS,
-    shell:
-        """
-        python {input.script} --plan {input.plan} --runs {params.runs} --boundary {input.boundary} \
-            --output {output} 2> {log}
-        """
-
-
 rule stage_times:
     input:
         plan=PLAN_FILE,

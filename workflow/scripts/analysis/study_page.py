@@ -1,18 +1,33 @@
 """The page of a study: what it asks, its devices and cells, what came out, and what it cost."""
 
+import ast
 from pathlib import Path
 
 import pandas as pd
 from study.analysis.arguments import required_arguments
-from study.analysis.devices import shear_modulus
+from study.analysis.devices import pressure_gradient_bar_per_m, shear_modulus
 from study.analysis.tables import markdown_table, read_table
 from study.planning.documents import read_json
 
+DRAWING = Path(__file__).resolve().parents[1] / "drawing"
 TITLES = {
-    "fig_devices": "The devices. Grey: pillars. The lines divide the flow between them.",
+    "fig_devices": "The devices. Grey: pillars, with the gap G. The lines divide the flow: fluid below the "
+    "blue one passes under the next pillar and falls back by a lane, fluid above the orange one came over "
+    "the last pillar.",
     "fig_separation": "Separation distance against the relative row shift.",
-    "fig_phase_space": "What the cells do. The green bars are brackets of the boundary.",
-    "fig_window": "The window in which the device tells the cells apart.",
+    "fig_phase_space": "What the cells do. A green bar is the interval of the critical Ca.",
+    "fig_stretching": "Stretched cells: axial (filled) and transverse (open) diameters against the force.",
+    "fig_sensitivity": "What choices of the model change: lateral extent, critical Ca, separation distance.",
+    "fig_window": "The window in which the device tells the cells apart; bars stand around their row shift.",
+}
+#: Figures that stand in a section of their own; the others follow at the end.
+PLACED = ("fig_devices", "fig_separation", "fig_phase_space", "fig_window")
+#: What the states of a bracket mean.
+BRACKETS = {
+    "open": "wider than its tolerance",
+    "bracketed": "within its tolerance",
+    "all-displaced": "displaced in the whole range",
+    "all-zigzag": "zigzag in the whole range",
 }
 
 
@@ -40,7 +55,9 @@ def separation_lines(separation):
     best = good.groupby(["device", "row_shift_um"]).first().reset_index()
 
     def with_error(value, error):
-        return f"{value:.3f}" + (f" ± {error:.3f}" if pd.notna(error) else "")
+        if pd.isna(error):
+            return f"{value:.3f}"
+        return f"{value:.3f} ± {error:.3f}" if error >= 0.0005 else f"{value:.4f} ± {error:.1g}"
 
     rows = [
         [
@@ -58,6 +75,13 @@ def separation_lines(separation):
     return markdown_table([*titles, "resistance (Pa s/m²)"], rows)
 
 
+def bracket_words(row):
+    """The state of a bracket; one without both ends is open for want of decided points."""
+    if row.status == "open" and pd.isna([row.ca_displaced, row.ca_zigzag]).any():
+        return "not decided"
+    return BRACKETS.get(row.status, row.status)
+
+
 def boundary_lines(boundary):
     """The brackets of the critical capillary number."""
 
@@ -65,7 +89,14 @@ def boundary_lines(boundary):
         return f"{value:.3g}" if pd.notna(value) else "none"
 
     rows = [
-        [row.device, row.cell, f"{row.row_shift_um:g}", end(row.ca_displaced), end(row.ca_zigzag), row.status]
+        [
+            row.device,
+            row.cell,
+            f"{row.row_shift_um:g}",
+            end(row.ca_displaced),
+            end(row.ca_zigzag),
+            bracket_words(row),
+        ]
         for row in boundary.sort_values(["device", "cell", "row_shift_um"]).itertuples()
     ]
     return markdown_table(
@@ -124,11 +155,40 @@ def cell_lines(plan):
     return markdown_table(["cell", "type", "shear modulus kS (µN/m)", "other settings"], rows)
 
 
+def caption(name):
+    """The caption of a figure; of one that has none here the first sentence of its program."""
+    program = DRAWING / f"{name}.py"
+    if name in TITLES or not program.exists():
+        return TITLES.get(name, name)
+    said = ast.get_docstring(ast.parse(program.read_text(encoding="utf-8"))) or name
+    return " ".join(said.split()).split(". ")[0].rstrip(".") + "."
+
+
+def pressure_lines(plan, devices):
+    """Ca as a pressure gradient, for every device and every cell whose stiffness is known."""
+    rows = [
+        [row.device, name, f"{pressure_gradient_bar_per_m(1, kS, row.length_scale_um, radius):.4g}"]
+        for row in devices.itertuples()
+        for name, radius in plan["radius_um"].items()
+        if radius and (kS := shear_modulus(plan, name))
+    ]
+    return (
+        [*markdown_table(["device", "cell", "pressure gradient at Ca = 1 (bar/m)"], rows), ""] if rows else []
+    )
+
+
 def picture(name, folder):
     """A figure with its caption; nothing if it was not made."""
     if not (Path(folder) / "figures" / f"{name}.png").exists():
         return []
-    return [f"![{TITLES[name]}](figures/{name}.png)", "", f"*{TITLES[name]}*", ""]
+    return [f"![{caption(name)}](figures/{name}.png)", "", f"*{caption(name)}*", ""]
+
+
+def other_pictures(folder):
+    """The figures that no section above shows."""
+    names = sorted(path.stem for path in (Path(folder) / "figures").glob("fig_*.png"))
+    found = [line for name in names if name not in PLACED for line in picture(name, folder)]
+    return ["## Further figures", "", *found] if found else []
 
 
 def main():
@@ -144,6 +204,8 @@ def main():
     if "devices" in tables:
         lines += [*picture("fig_devices", folder), *device_lines(tables["devices"]), ""]
     lines += [*cell_lines(plan), ""]
+    if "devices" in tables:
+        lines += pressure_lines(plan, tables["devices"])
     if "streamline_separation" in tables:
         lines += ["## Flow without cells", "", *picture("fig_separation", folder)]
         lines += [*separation_lines(tables["streamline_separation"]), ""]
@@ -168,6 +230,7 @@ def main():
         ]
         work = tables["passages"].node_updates.sum()
         lines += [f"Work of the passages: {work:.3g} updates of a lattice node.", ""]
+    lines += other_pictures(folder)
     Path(arguments.output).write_text("\n".join(lines), encoding="utf-8")
 
 

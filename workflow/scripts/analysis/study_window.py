@@ -43,7 +43,7 @@ def main():
     arguments = required_arguments(__doc__, "plan", "boundary", "devices", "output")
     plan, boundary = read_json(arguments.plan), read_table(arguments.boundary)
     devices = read_table(arguments.devices).set_index("device")
-    known = [cell for cell in plan["cells"] if shear_modulus(plan, cell)]
+    known = [cell for cell in plan["cells"] if shear_modulus(plan, cell) and plan["radius_um"][cell]]
     closed = boundary[boundary.cell.isin(known)].dropna(subset=["ca_displaced", "ca_zigzag"])
     rows = [
         window

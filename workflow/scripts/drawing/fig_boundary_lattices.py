@@ -8,7 +8,7 @@ from study.analysis.boundary import PARAMETERS, UNDISPUTED, law
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
 from study.paper.claims import load_claims
-from study.planning.plan import read_json
+from study.planning.documents import read_json
 
 COLUMNS = ["kind", "series", "row_shift_um", *UNDISPUTED, "capillary_number", "d_um"]
 LARGEST = 1.6  # capillary number at the right edge, as in Fig. 7

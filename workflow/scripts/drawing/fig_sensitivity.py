@@ -8,7 +8,7 @@ from study.analysis.arguments import figure_arguments
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
 from study.drawing.extent import panel_note
-from study.paper.wording import words
+from study.drawing.wording import words
 from study.planning.documents import read_json
 
 COLUMNS = ["observable", "choice", "value", "words", "row_shift_um", "capillary_number", "result", "low"]

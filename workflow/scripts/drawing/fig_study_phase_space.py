@@ -9,6 +9,7 @@ from study.planning.documents import read_json
 
 MARKS = {"displaced": "o", "zigzag": "s"}
 OTHER = "D"  # undecided, diverged, interrupted
+BRACKETS = "boundary/"  # begins the sweep of a run that a bracket asked for
 COLUMNS, WIDTH, HEIGHT = 3, 2.2, 2.5  # panels in a row, size of one in inches
 
 
@@ -24,6 +25,8 @@ def draw_cells(axes, cells):
 def draw_brackets(axes, brackets):
     """The interval of the critical capillary number at each row shift, and a line through the middles."""
     closed = brackets.dropna(subset=["ca_displaced", "ca_zigzag"]).sort_values("row_shift_um")
+    if closed.empty:
+        return
     for row in closed.itertuples():
         axes.plot(
             [row.ca_displaced, row.ca_zigzag], [row.row_shift_um] * 2, color=style.GREEN, lw=2.5, zorder=1
@@ -32,24 +35,36 @@ def draw_brackets(axes, brackets):
     axes.plot(middles, closed.row_shift_um, color=style.GREEN, lw=1, zorder=1, label="boundary")
 
 
+def panels_of(passages, boundary):
+    """(title, passages) of every panel: sweeps, and boundaries of a device and cell that have no sweep."""
+    grids = passages[~passages.sweep.str.startswith(BRACKETS)]
+    found = [(sweep, grids[grids.sweep == sweep]) for sweep in dict.fromkeys(grids.sweep)]
+    swept = {(cells.device.iloc[0], cells.cell.iloc[0]) for _, cells in found}
+    for (series, device, cell), _ in boundary.groupby(["series", "device", "cell"]):
+        cells = passages[passages.sweep == BRACKETS + series]
+        if (device, cell) not in swept and len(cells):
+            found.append((series, cells))
+    return found
+
+
 def main():
     arguments = required_arguments(__doc__, "plan", "passages", "boundary", "output")
     passages, boundary = read_table(arguments.passages), read_table(arguments.boundary)
-    grids = passages[~passages.sweep.str.startswith("boundary/")]
-    sweeps = list(dict.fromkeys(grids.sweep))
-    columns = min(COLUMNS, len(sweeps))
-    rows = -(-len(sweeps) // columns)
+    drawn = panels_of(passages, boundary)
+    columns = min(COLUMNS, len(drawn))
+    rows = -(-len(drawn) // columns)
+    low = min(cells.capillary_number.min() for _, cells in drawn)
+    high = max(cells.capillary_number.max() for _, cells in drawn)
     figure = style.new_figure(max(style.COLUMN, WIDTH * columns), HEIGHT * rows + 0.4)
     panels = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
-    for axes, sweep in zip(panels.flat, sweeps, strict=False):
-        cells = grids[grids.sweep == sweep]
+    for axes, (sweep, cells) in zip(panels.flat, drawn, strict=False):
         device, cell = cells.device.iloc[0], cells.cell.iloc[0]
         draw_cells(axes, cells)
         draw_brackets(axes, boundary[(boundary.device == device) & (boundary.cell == cell)])
-        axes.set_title(f"{sweep}\n{device}, {cell}")
+        axes.set_title(f"{sweep}\ndevice {device}, cell {cell}")
         axes.set_xscale("log")
-        style.log_numbers(axes.xaxis, grids.capillary_number.min(), grids.capillary_number.max())
-    for axes in panels.flat[len(sweeps) :]:
+        style.log_numbers(axes.xaxis, low, high)
+    for axes in panels.flat[len(drawn) :]:
         axes.set_axis_off()
     for axes in panels[-1]:
         axes.set_xlabel("capillary number Ca")

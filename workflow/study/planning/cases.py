@@ -7,6 +7,7 @@ a hash of its resolved parameters, so two sweeps that ask for the same point sha
 import hashlib
 import json
 
+from study.planning import meshes
 from study.planning.dld import in_capillary_number
 from study.planning.documents import problems
 from study.planning.points import merged
@@ -47,11 +48,8 @@ def with_preset(case, case_schema):
 
 
 def _size_by_shape(given, cell):
-    """Leaves r to the solver where the shape has a size of its own; a ValueError for a mesh, whose content no
-    identity of a run covers yet."""
-    if cell["shape"] == "mesh":
-        raise ValueError("/cell/shape: a study has no meshes from files yet; run such a case with `dld run`")
-    if cell["shape"] == "ellipsoid" and "radius_um" not in given:
+    """Leaves r to the solver where the shape has a size of its own."""
+    if cell["shape"] in ("ellipsoid", "mesh") and "radius_um" not in given:
         del cell["radius_um"]
 
 
@@ -61,6 +59,7 @@ def resolved(case, case_schema):
     found = problems(case, case_schema)
     if found:
         raise ValueError("; ".join(found))
+    case = meshes.placed(case)
     if "operating" in case:
         case = in_capillary_number(case)
     full = with_defaults(with_preset(case, case_schema), case_schema)
@@ -83,9 +82,11 @@ def fingerprint(value):
 
 def run_id(case, solver_model):
     """Identity of a run: the hash of its resolved case."""
-    return fingerprint({"case": case, "solver_model": solver_model})
+    return fingerprint({"case": meshes.identified(case), "solver_model": solver_model})
 
 
 def radius_um(part, case_schema):
-    """Radius r of a cell, um, from its part of a case."""
-    return with_defaults(part["cell"], case_schema["properties"]["cell"])["radius_um"]
+    """Radius r of a cell, um, from its part of a case; None where the solver takes it from a mesh."""
+    cell = with_defaults(part["cell"], case_schema["properties"]["cell"])
+    _size_by_shape(part["cell"], cell)
+    return meshes.radius_um(cell)

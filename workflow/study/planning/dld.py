@@ -7,6 +7,8 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+from study.planning import meshes
+
 #: The solver that is asked while the plan is made.
 DLD = Path(os.environ.get("DLD", Path(__file__).resolve().parents[3] / "build/dld"))
 
@@ -15,7 +17,7 @@ def answers(cases, dld):
     """The solver's answers to a list of cases; a RuntimeError if it has none."""
     with tempfile.TemporaryDirectory() as folder:
         asked, answered = Path(folder) / "cases.json", Path(folder) / "answers.json"
-        asked.write_text(json.dumps(cases), encoding="utf-8")
+        asked.write_text(json.dumps([meshes.anywhere(case) for case in cases]), encoding="utf-8")
         done = subprocess.run(
             [Path(dld).absolute(), "resolve", asked, answered], capture_output=True, text=True, check=False
         )

@@ -4,7 +4,7 @@ from itertools import product
 from pathlib import Path
 
 from study.planning import points, stability
-from study.planning.arrays import case_parts
+from study.planning.arrays import case_parts, with_moduli
 from study.planning.brackets import AXES, at_value, off_axis
 from study.planning.cases import fingerprint, radius_um, resolved, run_id
 from study.planning.documents import SCHEMAS, read_json
@@ -119,7 +119,7 @@ def make_plan(study, tier_name, case_schema):
         "note": tier["note"],
         "solver_model": planner.solver_model,
         "devices": tier["devices"],
-        "cells": study["cells"],
+        "cells": with_moduli(study["cells"], tier),
         "radius_um": {name: radius_um(part, case_schema) for name, part in tier["cells"].items()},
         "sections": [name for name in tier if name in points.SECTIONS],
         "refinement": tier.get("streamlines", {}).get("refinement", {}),

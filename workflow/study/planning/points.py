@@ -81,16 +81,33 @@ def stokes(tier):
 
 def stretching(tier):
     for name, part in tier["stretching"].items():
+        labels, cell = {"series": name}, {}
+        if "cell" in part:
+            labels, cell = labels | {"cell": part["cell"]}, tier["cells"][part["cell"]]
+            if modulus := tier["shear_moduli_uN_per_m"][part["cell"]]:
+                cell = cell | {"stretching": {"shear_modulus_uN_per_m": modulus}}
         for denominator in part["skalak_denominators"]:
             point = {"scene": "stretching", "cell": {"skalak_denominator": denominator}}
-            yield "stretching", {"series": name}, merged(part["case"], point)
+            yield "stretching", labels, merged(cell, part["case"], point)
+
+
+def _drives(tier, part, cell):
+    """Parts of a case, one for each capillary number of a sweep or, in SI units, each pressure gradient."""
+    if "capillary_numbers" in part:
+        return [{"cell": {"capillary_number": capillary}} for capillary in part["capillary_numbers"]]
+    modulus = tier["shear_moduli_uN_per_m"][cell]
+    return [
+        {"operating": {"pressure_gradient_Pa_per_m": 1e5 * gradient, "shear_modulus_uN_per_m": modulus}}
+        for gradient in part["pressure_gradients_bar_per_m"]
+    ]
 
 
 def passages(tier):
     for name, part in tier["passages"].items():
         labels, parts = placed(tier, part)
-        for shift, capillary in product(part["row_shifts_um"], part["capillary_numbers"]):
-            yield "passages", {"sweep": name} | labels, merged(*parts, part["case"], _at(shift, capillary))
+        for shift, drive in product(part["row_shifts_um"], _drives(tier, part, labels["cell"])):
+            point = merged({"scene": "passage", "geometry": {"row_shift_um": shift}}, drive)
+            yield "passages", {"sweep": name} | labels, merged(*parts, part["case"], point)
 
 
 def choices(tier):
@@ -106,15 +123,16 @@ def sensitivity(tier):
     shifts.
     """
     part = tier["sensitivity"]
+    _, place = placed(tier, part)
     for choice, value, entry in choices(tier):
         for point in part["points"]:
             shift, capillary = point["row_shift_um"], point["capillary_number"]
             labels = {"choice": choice, "value": value, "row_shift_um": shift, "capillary_number": capillary}
             run_at = _at(shift, capillary * entry.get("capillary_factor", 1))
-            yield "sensitivity", labels, merged(part["case"], entry["case"], run_at)
+            yield "sensitivity", labels, merged(*place, part["case"], entry["case"], run_at)
         for shift in dict.fromkeys(point["row_shift_um"] for point in part["points"]):
             labels = {"choice": choice, "value": value, "row_shift_um": shift}
-            overlay = merged(part["case"], entry["case"], part["flow_case"])
+            overlay = merged(*place, part["case"], entry["case"], part["flow_case"])
             flow = {"scene": "streamlines", "geometry": {"row_shift_um": shift}}
             yield "sensitivity-flow", labels, merged(overlay, flow)
 
@@ -179,7 +197,7 @@ def boundary_brackets(tier):
 def sensitivity_brackets(tier):
     """The same for the choices whose critical capillary number is asked for."""
     part = tier["sensitivity"]
-    boundary = part["boundary"]
+    boundary = part["boundary"] | {key: part[key] for key in ("device", "cell") if key in part}
     for choice, value, entry in choices(tier):
         if choice in boundary["choices"] and "series" not in entry and "capillary_factor" not in entry:
             series = f"sensitivity/{choice}/{value}"

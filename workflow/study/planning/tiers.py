@@ -9,6 +9,7 @@ from study.planning.validation import (
     listing,
     load_json,
     misshapen,
+    only_with_claims,
     pointer,
     violations,
     written_at,
@@ -87,7 +88,10 @@ def load_study(path):
         found = [
             (["tiers", name, *place], text)
             for name, tier in in_full["tiers"].items()
-            for place, text in inconsistencies(tier, study["devices"], study["cells"])
+            for place, text in (
+                *inconsistencies(tier, study["devices"], study["cells"]),
+                *(() if "claims" in study else only_with_claims(tier)),
+            )
         ]
     if found:  # what a tier takes from another is wrong once, where it is written
         placed = {pointer(written_at(tiers, place)): text for place, text in reversed(found)}

@@ -137,6 +137,8 @@ def _names_of_places(tier):
         (["boundary", "mirror", name], entry)
         for name, entry in tier.get("boundary", {}).get("mirror", {}).items()
     ]
+    entries += [(["stretching", name], entry) for name, entry in tier.get("stretching", {}).items()]
+    entries += [(["sensitivity"], tier["sensitivity"])] if "sensitivity" in tier else []
     for path, entry in entries:
         for key, known in (("device", "devices"), ("cell", "cells")):
             if key in entry:
@@ -286,6 +288,39 @@ def inconsistencies(tier, devices, cells):
                 place = [*path, "ca_ranges", shift]
                 yield place, f"the series has no row shift {shift}; it has {shifts}"
     yield from _circles(tier)
+    yield from _sweeps_in_si(tier)
+
+
+#: Sections whose tables and figures are set against a print, and what a study without one has instead.
+OF_A_PRINT = {
+    "stokes": "streamlines",
+    "uncertainty": "boundary, with `confirm`",
+    "accuracy": "streamlines, with `refinement`",
+    "stability": "the margins of `dld check`",
+    "figures": "the figures that every study has",
+}
+
+
+def only_with_claims(tier):
+    """(path, text) of the sections of a tier that only a study with claims has."""
+    for section, instead in OF_A_PRINT.items():
+        if section in tier:
+            text = "its tables and figures are set against a print, which the key 'claims' of a study names"
+            yield [section], f"{text}; leave it out or use {instead}"
+
+
+def _sweeps_in_si(tier):
+    """(path, text) of sweeps without one axis beside the row shift, and of those over the pressure of a cell
+    whose stiffness nothing tells."""
+    drives = ("capillary_numbers", "pressure_gradients_bar_per_m")
+    for name, entry in tier.get("passages", {}).items():
+        if sum(drive in entry for drive in drives) != 1:
+            yield ["passages", name], f"exactly one of {' and '.join(drives)} is needed"
+        cell = entry.get("cell", next(iter(tier["cells"])))
+        told = tier["cells"].get(cell, {})
+        if "pressure_gradients_bar_per_m" in entry and not {"shear_modulus_uN_per_m", "type"} & set(told):
+            place = ["passages", name, "pressure_gradients_bar_per_m"]
+            yield place, f"needs the stiffness of the cell; add /cells/{cell}/shear_modulus_uN_per_m"
 
 
 def listing(path, found):
