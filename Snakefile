@@ -138,7 +138,8 @@ onstart:
         workflow.scheduler.job_rate_limiter = None
     dag = workflow.dag
     try:
-        manifest.begin(RESULTS, JOURNAL, [(job.input, job.output) for job in dag.needrun_jobs()])
+        if not workflow.touch:  # which makes files younger, and makes none
+            manifest.begin(RESULTS, JOURNAL, [(job.input, job.output) for job in dag.needrun_jobs()])
     except manifest.Changed as who:
         raise WorkflowError(str(who)) from None
     progress.planned((dag.jobid(job), job.rule.name, job.wildcards_dict, job.threads) for job in dag.needrun_jobs())

@@ -32,8 +32,6 @@ def called(tree, *words):
         "1",
         "--nolock",
         *words,
-        "--config",
-        "dld=build/dld",
     ]
     return subprocess.run(command, cwd=tree, env=ENVIRONMENT, capture_output=True, text=True, check=False)
 
@@ -53,6 +51,7 @@ def called(tree, *words):
             "results/brackets/default/d6/confirm-fine-low.json",
             "bracket default/d6 is not confirmed with 'fine'",
         ),
+        ("results/figures/animation_none.gif", "No rule to produce results/figures/animation_none.gif"),
     ],
 )
 def test_what_is_not_planned_is_refused_in_words(tree, file, words):
@@ -72,8 +71,10 @@ def test_a_table_changed_by_hand_is_named_and_not_used(tree):
     done = called(tree, "--force", "results/claims.csv", "--allowed-rules", "claims")
     assert done.returncode == 1 and "not as the pipeline made them" in done.stderr
     assert "results/tables/phase_boundary.csv" in done.stderr and claims.read_bytes() == before
-    # Another file is made, and recorded.
+    # Another file is made, and recorded; a date is not enough for that.
     figure.write_bytes(b"another figure")
+    called(tree, "--touch", "--force", "results/figures/fig02.png", "--allowed-rules", "figure_geometry")
+    assert "fig02.png" in called(tree, "verify").stderr
     done = called(tree, "--force", "results/figures/fig02.png", "--allowed-rules", "figure_geometry")
     assert done.returncode == 0, done.stderr
     done = called(tree, "verify")
