@@ -46,6 +46,9 @@ def test_an_unknown_bracket_and_label_are_told_with_the_nearest(smoke):
 
 
 def test_what_is_known_is_found_and_nothing_is_told_for_it():
-    assert found({"a": 1}, "a", lambda: pytest.fail("told")) == 1
-    with pytest.raises(NotPlanned, match=r"^none$"):
-        found({}, "a", lambda: "none")
+    def told(name, place):
+        return f"no {name} in {place}"
+
+    assert found({"a": 1}, "a", told, "b") == 1
+    with pytest.raises(NotPlanned, match=r"^no a in b$"):
+        found({}, "a", told, "b")

@@ -11,7 +11,7 @@ CASES = {run["id"]: run["case"] for run in PLAN["runs"]}
 def planned(known, name, told, *about):
     """What the plan has under a name that was asked for; if nothing, the end with a reason."""
     try:
-        return not_planned.found(known, name, lambda: told(name, *about))
+        return not_planned.found(known, name, told, *about)
     except not_planned.NotPlanned as who:
         raise WorkflowError(str(who)) from None
 

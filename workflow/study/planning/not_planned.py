@@ -11,10 +11,10 @@ class NotPlanned(Exception):
     """A run, a bracket or a label that the plan does not have."""
 
 
-def found(known, name, told):
-    """The entry of a dictionary, or a NotPlanned with what the function `told` says."""
+def found(known, name, told, *about):
+    """The entry of a dictionary; if there is none, a NotPlanned with what the function `told` says of it."""
     if name not in known:
-        raise NotPlanned(told())
+        raise NotPlanned(told(name, *about))
     return known[name]
 
 
