@@ -20,7 +20,7 @@ os.environ["PYTHONPATH"] = os.path.join(workflow.basedir, "workflow")  # the pro
 os.environ["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
 sys.path.insert(0, os.path.join(workflow.basedir, "workflow"))
 
-from study.planning import dld, progress
+from study.planning import dld, manifest, progress
 from study.planning.documents import SCHEMAS, read_json, validated
 from study.planning.failures import failed_runs, forget
 from study.planning.folders import PAPER, results_folder, study_file
@@ -46,11 +46,13 @@ PLAN = make_plan(STUDY_TEXT, TIER, CASE_SCHEMA)
 RESULTS = results_folder(STUDY, TIER, STUDY_TEXT["tiers"])
 RUNS = "results/runs"  # shared by all studies and tiers: a run's name is its case
 PLANNED = [run["id"] for run in PLAN["runs"]]
+JOURNAL = ".snakemake/made.json"  # what a call makes, until its checksums stand in the manifest of the results
 if workflow.is_main_process and not only_looks(sys.argv[1:]):
     try:
         LOCK = taken(".snakemake/study.lock", ["snakemake", *sys.argv[1:]])  # held while this process lives
     except Busy as who:
         raise WorkflowError(str(who)) from None
+    manifest.settle(JOURNAL)  # of a call that was killed
     forget(PLANNED, RUNS, f"{RESULTS}/brackets")
 PLAN_FILE = write_plan(PLAN, f"{RESULTS}/plan.json")
 TABLES, FIGURES, LOGS = (f"{RESULTS}/{name}" for name in ("tables", "figures", "logs"))
@@ -124,6 +126,14 @@ rule all:
         ALL_FILES,
 
 
+# Are tables, figures and verdicts as they were made? Nothing is made for it.
+rule verify:
+    params:
+        results=RESULTS,
+    shell:
+        f"python {SCRIPTS}/planning/manifest.py {{params.results}}"
+
+
 # Jobs of a cluster; all else takes seconds.
 workflow.localrules(*(r.name for r in workflow.rules if r.name not in ("solve", "bracket_point", "bracket_confirm")))
 
@@ -134,10 +144,20 @@ onstart:
     if workflow.local_exec:
         workflow.scheduler.job_rate_limiter = None
     dag = workflow.dag
+    try:
+        if not workflow.touch:  # which makes files younger, and makes none
+            manifest.begin(RESULTS, JOURNAL, [(job.input, job.output) for job in dag.needrun_jobs()])
+    except manifest.Changed as who:
+        raise WorkflowError(str(who)) from None
     progress.planned((dag.jobid(job), job.rule.name, job.wildcards_dict, job.threads) for job in dag.needrun_jobs())
 
 
+onerror:
+    manifest.settle(JOURNAL)
+
+
 onsuccess:
+    manifest.settle(JOURNAL)
     asked = {job.rule.name for job in workflow.dag.targetjobs}
     if "claims" in STUDY_TEXT and asked & {"all", "claims"} and Path(CLAIM_FILES[0]).exists():
         shell(f"python {SCRIPTS}/paper/print_claims.py {CLAIM_FILES[0]}")

@@ -20,6 +20,7 @@
 #include "output/interrupt.hpp"
 #include "output/memory_limit.hpp"
 #include "output/provenance.hpp"
+#include "output/terminal.hpp"
 #include "output/verify.hpp"
 #include "output/xdmf.hpp"
 #include "parameters/check_text.hpp"
@@ -50,6 +51,7 @@ enum ExitCode {
 
 struct RunOptions {
   std::string case_file, output_file, summary_file;
+  std::string checkpoint_file() const { return output_file + ".checkpoint"; }
   bool force = false, no_resume = false;
   int threads = 1;
   double checkpoint_minutes = default_checkpoint_minutes;
@@ -106,51 +108,60 @@ void write_root_attributes(Hdf5File& out, const Case& c, const Json& summary, in
 // Files by what they are called on the command line.
 using NamedFiles = std::vector<std::pair<std::string, std::filesystem::path>>;
 
-NamedFiles files_of(const RunOptions& options) {
-  const std::filesystem::path output = options.output_file;
-  NamedFiles files = {{"case", options.case_file},
-                      {"output", output},
-                      {"checkpoint", output.string() + ".checkpoint"},
-                      {"state of a diverged run", output.string() + ".last_good.checkpoint"}};
-  for (const auto& path : xdmf_files(output)) files.emplace_back("XDMF file", path);
+std::filesystem::path last_good_checkpoint(const RunOptions& options) {
+  return options.output_file + ".last_good.checkpoint";
+}
+
+NamedFiles named_for(const RunOptions& options) {
+  NamedFiles files = {{"case", options.case_file}, {"output", options.output_file}};
   if (!options.summary_file.empty()) files.emplace_back("summary", options.summary_file);
   return files;
 }
 
-// One file under two names (links included) would be overwritten by the command that reads it.
-void require_different_files(const NamedFiles& files) {
+// Files that a run makes beside them, and where each stands until it is complete.
+NamedFiles made_for(const RunOptions& options) {
+  const std::filesystem::path checkpoint = options.checkpoint_file();
+  NamedFiles files = {{"checkpoint", checkpoint}};
+  for (const auto& path : xdmf_files(options.output_file)) files.emplace_back("XDMF file", path);
+  NamedFiles whole = files;
+  whole.emplace_back("output", options.output_file);
+  if (!options.summary_file.empty()) whole.emplace_back("summary", options.summary_file);
+  for (const auto& [name, path] : whole) files.emplace_back("unfinished " + name, part_of(path));
+  files.emplace_back("checkpoint before", Checkpoint::previous(checkpoint));
+  files.emplace_back("state of a diverged run", last_good_checkpoint(options));
+  return files;
+}
+
+// One file under two names (links included) would be overwritten by the command that reads it. The names that
+// the user gave are compared with all; those made from them differ, and the two checkpoints are one file at
+// times.
+void require_different_files(const NamedFiles& given, const NamedFiles& made) {
   const auto same = [](const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code none;
     return std::filesystem::weakly_canonical(std::filesystem::absolute(a), none) ==
                std::filesystem::weakly_canonical(std::filesystem::absolute(b), none) ||
            std::filesystem::equivalent(a, b, none);
   };
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (same(files[i].second, files[j].second))
-        throw CLI::ValidationError(files[i].second.string(), "is the " + files[j].first + " and the " +
-                                                                 files[i].first + "; name another file");
+  NamedFiles others = made;
+  for (const auto& [name, path] : given) {
+    for (const auto& [other_name, other] : others) {
+      if (same(path, other))
+        throw CLI::ValidationError(path.string(),
+                                   "is the " + name + " and the " + other_name + "; name another file");
     }
+    others.emplace_back(name, path);
   }
 }
 
-std::filesystem::path summary_part(const std::filesystem::path& path) {
-  return path.string() + ".part";
-}
-
-// A summary that cannot be written is known before anything is simulated.
-void try_summary(const std::filesystem::path& path) {
-  if (path.empty()) return;
-  const std::filesystem::path part = summary_part(path);
+// A file that cannot be written is known before anything is simulated.
+void try_files(const RunOptions& options) {
+  require_writable(options.output_file);
+  for (const auto& [name, path] : made_for(options)) require_writable(path);
+  if (options.summary_file.empty()) return;
+  require_writable(options.summary_file);
+  const std::filesystem::path part = part_of(options.summary_file);
   write_durably(part, {});
   std::filesystem::remove(part);
-}
-
-void write_summary(const std::filesystem::path& path, const Json& summary) {
-  if (path.empty()) return;
-  const std::filesystem::path part = summary_part(path);
-  write_durably(part, summary.dump(2) + "\n");
-  rename_durably(part, path);
 }
 
 // What keeps the case from this machine, empty if it fits.
@@ -164,7 +175,7 @@ std::string lack_of_memory(const Case& c, const std::string& file) {
 }
 
 int run(const RunOptions& options) {
-  require_different_files(files_of(options));
+  require_different_files(named_for(options), made_for(options));
   const Case c = read_case(options.case_file);
   std::cerr << headline(c) << "\n";
   print_warnings(c, options.case_file);
@@ -173,14 +184,14 @@ int run(const RunOptions& options) {
     std::cerr << lack;
     return bad_parameters;
   }
-  catch_interrupts(Hdf5File::part_of(options.output_file));
+  catch_interrupts(part_of(options.output_file));
   if (options.wall_time_minutes > 0.0) limit_wall_time(options.wall_time_minutes);
-  try_summary(options.summary_file);
+  try_files(options);
   Hdf5File out(options.output_file);
   Progress progress;
   RunContext context{.out = out,
                      .progress = progress,
-                     .checkpoint = options.output_file + ".checkpoint",
+                     .checkpoint = options.checkpoint_file(),
                      .resume = !options.no_resume,
                      .threads = options.threads,
                      .save_timer = SaveTimer(options.checkpoint_minutes)};
@@ -215,13 +226,13 @@ int run(const RunOptions& options) {
   if (!write_xdmf(out.path(), context.xdmf))
     std::cerr << "no XDMF file: its readers end a file's name at a colon, as " << out.path().filename()
               << " has one\n";
-  write_summary(options.summary_file, summary);
+  if (!options.summary_file.empty()) write_whole(options.summary_file, summary.dump(2) + "\n");
   if (status != Status::diverged) {
     if (context.owns_checkpoint) Checkpoint::remove(context.checkpoint);
     return done;
   }
   if (context.owns_checkpoint) {
-    std::filesystem::rename(context.checkpoint, options.output_file + ".last_good.checkpoint");
+    std::filesystem::rename(context.checkpoint, last_good_checkpoint(options));
     Checkpoint::remove(context.checkpoint);
   }
   explain_divergence(summary, out, context.owns_checkpoint);
@@ -240,7 +251,8 @@ int verify(const std::string& run_file, const std::string& summary_file, const s
 
 int check(const std::string& case_file, bool force, bool json) {
   const Case c = read_case(case_file);
-  std::cout << (json ? check_json(c).dump(2) + "\n" : check_text(c)) << std::flush;
+  std::cout << (json ? check_json(c).dump(2) + "\n" : check_text(c));
+  flush_output();
   print_warnings(c, case_file);
   std::cerr << lack_of_memory(c, case_file);
   return may_run(c, case_file, force) ? done : bad_parameters;
@@ -248,7 +260,11 @@ int check(const std::string& case_file, bool force, bool json) {
 
 // One answer a line; 2 if a case of the file cannot be run.
 int resolve(const std::string& case_file, const std::string& output_file) {
-  if (!output_file.empty()) require_different_files({{"file of cases", case_file}, {"output", output_file}});
+  if (!output_file.empty()) {
+    require_different_files({{"file of cases", case_file}, {"output", output_file}},
+                            {{"unfinished output", part_of(output_file)}});
+    require_writable(output_file);
+  }
   const Json answers = resolve_text(read_text(case_file), case_file);
   std::string text = "[";
   bool all_right = true;
@@ -260,9 +276,7 @@ int resolve(const std::string& case_file, const std::string& output_file) {
   if (output_file.empty()) {
     std::cout << text;
   } else {
-    const std::filesystem::path part = output_file + ".part";
-    write_durably(part, text);
-    rename_durably(part, output_file);
+    write_whole(output_file, text);
   }
   return all_right ? done : bad_parameters;
 }
@@ -336,8 +350,11 @@ int command_line(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const PrintableStream output(std::cout), errors(std::cerr);
   try {
-    return command_line(argc, argv);
+    const int status = command_line(argc, argv);
+    flush_output();
+    return status;
   } catch (const dld::CaseError& error) {
     std::cerr << error.what() << "\n";
     return bad_parameters;

@@ -188,10 +188,12 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
   std::string kind = path.extension().string();
   std::ranges::transform(kind, kind.begin(), [](unsigned char c) { return std::tolower(c); });
   if (kind != ".off" && kind != ".stl") throw MeshFileError("its name ends neither in .off nor in .stl");
+  std::error_code none;  // a folder and a device without end can be opened, too
+  if (!std::filesystem::is_regular_file(path, none)) throw MeshFileError("the file cannot be read");
   std::ifstream in(path, std::ios::binary);
   std::ostringstream bytes;
   bytes << in.rdbuf();
-  if (!in || std::filesystem::is_directory(path)) throw MeshFileError("the file cannot be read");
+  if (!in) throw MeshFileError("the file cannot be read");
   return kind == ".off" ? read_off(bytes.str()) : read_stl(bytes.str());
 }
 

@@ -44,10 +44,11 @@ class Checkpoint {
                                         std::ostream& log);
   /// Removes a checkpoint and the one before it.
   static void remove(const std::filesystem::path& path);
+  /// Where the checkpoint before it stands.
+  static std::filesystem::path previous(const std::filesystem::path& path);
 
  private:
   static Checkpoint read(const std::filesystem::path& path, const std::string& case_text);
-  static std::filesystem::path previous(const std::filesystem::path& path);
 
   std::string case_text_;
   std::map<std::string, Value> values_;

@@ -41,11 +41,24 @@ void write_durably(const std::filesystem::path& path, std::span<const char> byte
   write_durably(path, bytes, O_TRUNC);
 }
 
+std::filesystem::path part_of(const std::filesystem::path& path) {
+  return path.string() + ".part";
+}
+
+void write_whole(const std::filesystem::path& path, std::span<const char> bytes) {
+  const std::filesystem::path part = part_of(path);
+  write_durably(part, bytes);
+  rename_durably(part, path);
+}
+
 void append_durably(const std::filesystem::path& path, std::span<const char> bytes) {
   write_durably(path, bytes, O_APPEND);
 }
 
 std::vector<char> read_bytes(const std::filesystem::path& path) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none))  // a folder can be opened, too
+    throw IoError("cannot read " + path.string() + ": no such file");
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   std::vector<char> bytes(file ? static_cast<std::size_t>(file.tellg()) : 0);
   file.seekg(0);
@@ -56,6 +69,16 @@ std::vector<char> read_bytes(const std::filesystem::path& path) {
 
 std::uint32_t checksum(std::span<const char> bytes) {
   return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+void require_writable(const std::filesystem::path& path) {
+  std::error_code none;
+  const auto kind = std::filesystem::status(path, none).type();
+  if (kind == std::filesystem::file_type::directory)
+    throw IoError(path.string() + " is a folder; move it away or name another file");
+  if (kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found)
+    throw IoError(path.string() +
+                  " is no file whose place another can take (or cannot be reached); name another");
 }
 
 void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to) {

@@ -85,8 +85,6 @@ class Hdf5File {
   static bool seal_broken(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
-  /// Where a file stands until it is complete.
-  static std::filesystem::path part_of(const std::filesystem::path& path) { return path.string() + ".part"; }
 
  private:
   enum class Ending { plain, sealed };

@@ -105,12 +105,6 @@ std::filesystem::path beside(const std::filesystem::path& hdf5_path, const std::
   return std::filesystem::path(hdf5_path).replace_extension(extension);
 }
 
-void write_whole(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path part = path.string() + ".part";
-  write_durably(part, text);
-  rename_durably(part, path);
-}
-
 /// meshio takes the last collection of a file as the series and a grid outside of collections as its mesh:
 /// so the fixed grids stand in a collection of their own before the series.
 std::string everything(const std::filesystem::path& hdf5_path, const XdmfDescription& description) {

@@ -21,12 +21,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Enough of a text from outside to find it.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t most = 200;
+  if (text.size() <= most) return text;
+  std::size_t end = most;
+  while ((static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // no half of a letter
+  return text.substr(0, end) + "...";
+}
+
+// One line: no text of the file begins another.
 std::string problem_text(const std::string& file, const Problem& problem) {
-  std::string text = file + ": " + (problem.pointer.empty() ? "/" : problem.pointer);
-  if (!problem.value.empty()) text += " = " + problem.value;
+  std::string text = file + ": " + (problem.pointer.empty() ? "/" : shortened(problem.pointer));
+  if (!problem.value.empty()) text += " = " + shortened(problem.value);
   if (!problem.allowed.empty()) text += ": allowed is " + problem.allowed;
   if (!problem.advice.empty()) text += "; " + problem.advice;
-  return text;
+  return printable(text);
 }
 
 std::string list_text(const std::string& file, const std::vector<Problem>& problems) {
@@ -200,11 +210,19 @@ Case parse_case(const std::string& text, const std::string& name) {
 }
 
 std::string read_text(const std::filesystem::path& path) {
+  constexpr std::size_t most = std::size_t{256} << 20, piece = std::size_t{1} << 20;
   std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) throw CaseError(path.string(), {{"", "", "a readable file", "check the path"}});
-  return text.str();
+  std::string text;
+  while (in && text.size() <= most) {
+    const std::size_t before = text.size();
+    text.resize(before + piece);
+    in.read(text.data() + before, static_cast<std::streamsize>(piece));
+    text.resize(before + static_cast<std::size_t>(in.gcount()));
+  }
+  if (text.size() > most)
+    throw CaseError(path.string(), {{"", "", "a file of at most 256 MiB", "check the path"}});
+  if (!in.eof() || in.bad()) throw CaseError(path.string(), {{"", "", "a readable file", "check the path"}});
+  return text;
 }
 
 Case read_case(const std::filesystem::path& path) {

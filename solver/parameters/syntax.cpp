@@ -7,6 +7,9 @@
 namespace dld {
 namespace {
 
+// No section has nearly as many; the time that an object of the library takes grows with the square.
+constexpr std::size_t most_names = 1000, most_repeated = 50;
+
 using Json = nlohmann::ordered_json;
 
 // "line 3, column 5" of a byte offset (1-based, as the parser counts).
@@ -83,7 +86,12 @@ class TreeBuilder {
     if (!level.names.insert(name).second)
       problems_.push_back({pointer(), Json(name).dump(), "each name once",
                            "remove the repeated name " + Json(name).dump() + " at " + place(text_, read_)});
-    return true;
+    if (level.names.size() > most_names) {
+      problems_.push_back({"", "", "at most " + std::to_string(most_names) + " names in an object",
+                           "remove names before " + place(text_, read_)});
+    }
+    // What follows would say the same, and to find the place of each takes long.
+    return level.names.size() <= most_names && problems_.size() < most_repeated;
   }
 
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) {

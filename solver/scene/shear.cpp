@@ -38,6 +38,10 @@ constexpr long longest_watch = 200;
 /// limit as 1 - exp(-t/T) is then within 0.4 % of it.
 constexpr double steady_change = 0.01;
 
+/// The quarter must shear the fluid by this much: in less time a cell that is deformed at rest (the
+/// discocyte) keeps its shape whatever becomes of it.
+constexpr double least_strain = 0.5;
+
 /// Relative change over the last quarter of a series; infinite for a series too short to tell.
 double change_of_last_quarter(const std::vector<double>& values) {
   constexpr std::size_t fewest = 20;
@@ -103,7 +107,9 @@ Status run(const Case& c, RunContext& context) {
       status = Status::interrupted;
   }
   const double change = change_of_last_quarter(series.column("deformation"));
-  if (status == Status::undecided && done == steps && change < steady_change) status = Status::converged;
+  const bool long_enough = 0.25 * c.shear.duration >= least_strain;
+  if (status == Status::undecided && done == steps && long_enough && change < steady_change)
+    status = Status::converged;
   context.progress.finish(to_string(status));
   const double deformation = series.size() > 0 ? series.column("deformation").back() : 0.0;
   const double gs = 4.0 * moduli.shear / moduli.skalak_denominator, ks = gs + 2.0 * moduli.local_area / 3.0;

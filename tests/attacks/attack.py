@@ -4,15 +4,15 @@ tries them, prints what did not hold and fills the table of docs/faults.md.
     python tests/attacks/attack.py                      all rows
     python tests/attacks/attack.py --quick              those of fractions of a second
     python tests/attacks/attack.py --document           and write docs/faults.md
-    python tests/attacks/attack.py --pending            and keep in pending.json what does not hold today
 
 A row:
 
     what      the attack in words, unique
     case      a case (JSON), put over the base "on" of bases.json; or
-    text      text of the case file ("times" repeats a part: [["[", 200000], ["]", 200000]])
+    text      text of the case file, or its parts and how often each: [["[", 200000], ["]", 200000]]; or
+    bytes, file, names     its bytes (hexadecimal); a file of the repository; so many unknown names
     words     arguments of the solver; CASE is the case file, the folder is a fresh one; default: check CASE
-    files, links, folders, env, limits        what is there before
+    files, links, folders, pipes, env, limits what is there before
     exit      allowed exit codes
     says      parts of what has to be printed
     labels    allowed "status" of the summary; whatever else is nonsense that passes for a result
@@ -42,7 +42,6 @@ from mutations import mutated_rows
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-PENDING = HERE / "pending.json"
 LIMIT, SIGNAL_LIMIT = 10.0, 1.5  # s of a core; more is a hang; the second after a signal to end
 NEVER = ("unexpected failure", "Segmentation fault", "runtime error:", "AddressSanitizer", "what():")
 
@@ -75,6 +74,8 @@ def case_text(row, bases):
     if "text" in row:
         parts = row["text"] if isinstance(row["text"], list) else [[row["text"], 1]]
         return "".join(part * count for part, count in parts).encode("utf-8", "surrogateescape")
+    if "names" in row:
+        return json.dumps({"scene": "passage"} | {f"x{number}": 1 for number in range(row["names"])}).encode()
     if "bytes" in row:
         return bytes.fromhex(row["bytes"])
     if "file" in row:
@@ -239,26 +240,17 @@ def main():
     parser.add_argument("--quick", action="store_true", help="leave out what takes longer than a second")
     parser.add_argument("--only", default="", help="rows whose description contains this")
     parser.add_argument("--document", action="store_true", help="write docs/faults.md")
-    parser.add_argument("--pending", action="store_true", help="write pending.json")
     arguments = parser.parse_args()
-    pending, found = set(read(PENDING)), []
+    found = []
     for outcome in outcomes(arguments.quick, str(Path(arguments.solver).resolve()), arguments.only):
         found.append(outcome)
-        known = " (open)" if outcome.row["what"] in pending else ""
         if not outcome.held:
-            print(f"FAILED{known} {outcome.row['what']}: {'; '.join(outcome.faults)}", flush=True)
-        elif known:
-            print(f"HOLDS NOW {outcome.row['what']}: take it out of pending.json", flush=True)
-    open_rows = sorted(outcome.row["what"] for outcome in found if not outcome.held)
-    if arguments.pending:
-        not_tried = pending - {outcome.row["what"] for outcome in found}
-        text = json.dumps(sorted(not_tried | set(open_rows)), indent=1)
-        PENDING.write_text(text + "\n", encoding="utf-8")
+            print(f"FAILED {outcome.row['what']}: {'; '.join(outcome.faults)}", flush=True)
     if arguments.document:
         (ROOT / "docs/faults.md").write_text(faults_page(found), encoding="utf-8")
-    new = [name for name in open_rows if name not in pending]
-    print(f"{len(found) - len(open_rows)} passed, {len(new)} failed, {len(open_rows) - len(new)} skipped")
-    sys.exit(bool(new) and not arguments.pending)
+    failed = sum(not outcome.held for outcome in found)
+    print(f"{len(found) - failed} passed, {failed} failed")
+    sys.exit(bool(failed))
 
 
 if __name__ == "__main__":

@@ -298,7 +298,7 @@ TEST(ProgressText, TerminalRewritesItsLine) {
 
 // While a run is set up, which nobody can look at, a signal ends it and tidies the file that was begun.
 TEST_F(Output, ASignalDuringTheSetUpEndsTheProgram) {
-  const fs::path part = Hdf5File::part_of(folder_ / "out.h5");
+  const fs::path part = part_of(folder_ / "out.h5");
   std::ofstream(part) << "begun";
   const auto set_up = [&] {
     catch_interrupts(part);

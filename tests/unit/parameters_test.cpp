@@ -139,6 +139,13 @@ TEST(Reader, RefusesRepeatedNames) {
                   .empty());
 }
 
+TEST(Reader, EscapesControlCharacters) {
+  EXPECT_EQ(printable("a\x1b[2J\x7f\nb\t"), "a\\u001b[2J\\u007f\\u000ab\\u0009");
+  EXPECT_EQ(printable("a\n\tb\r", true), "a\n\tb\\u000d");
+  EXPECT_EQ(printable("\xc2\x9b \xc2\xb5m \xc3\xa4"), "\\u009b \xc2\xb5m \xc3\xa4");
+  EXPECT_EQ(printable("\xc2"), "\xc2");
+}
+
 TEST(Reader, RefusesAMissingFile) {
   EXPECT_THROW(read_case("no/such/case.json"), CaseError);
 }
@@ -294,6 +301,7 @@ TEST(Suggestion, EditDistance) {
   EXPECT_EQ(edit_distance("", "abc"), 3u);
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
   EXPECT_EQ(edit_distance("same", "same"), 0u);
+  EXPECT_EQ(edit_distance(std::string(5000, 'a'), "aa"), 5000u);  // not looked at
 }
 
 TEST(Margins, DefaultCaseIsStable) {

@@ -8,24 +8,19 @@ from short_passage import DLD, needs_solver
 
 sys.path.insert(0, str(ROOT / "tests/attacks"))
 
-from attack import PENDING, all_rows, judged, outcomes, read
+from attack import all_rows, judged, outcomes
 from document import faults_page
 
 
 @needs_solver
 def test_what_was_attacked_holds():
-    pending = set(read(PENDING))
     found = {outcome.row["what"]: outcome.faults for outcome in outcomes(True, str(DLD))}
-    fails = {what: faults for what, faults in found.items() if faults and what not in pending}
-    assert not fails
-    holds_now = [what for what in pending if what in found and not found[what]]
-    assert not holds_now, "take these out: python tests/attacks/attack.py --quick --pending"
+    assert found
+    assert not {what: faults for what, faults in found.items() if faults}
 
 
-def test_there_are_at_least_200_attacks_by_hand_and_what_is_open_is_among_them():
-    rows = all_rows(False)
-    assert sum("kind" not in row for row in rows) >= 200
-    assert set(read(PENDING)) <= {row["what"] for row in rows}
+def test_there_are_at_least_200_attacks_by_hand():
+    assert sum("kind" not in row for row in all_rows(False)) >= 200
 
 
 def test_a_wrong_answer_is_noticed(tmp_path):

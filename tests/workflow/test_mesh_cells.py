@@ -115,7 +115,7 @@ def test_a_mesh_that_is_not_in_the_folder_of_the_cells_is_refused(root, tmp_path
 
 
 def test_the_solver_reads_the_mesh_in_a_plan_and_in_a_run(root, tmp_path):
-    dld = planning.ROOT / "build/dld"
+    dld = root / "build/dld"
     if not dld.exists():
         pytest.skip("the solver is not built")
     (run,) = plan_of(STUDY, tmp_path)["runs"]

@@ -110,6 +110,14 @@ def test_a_sheared_capsule_is_converged_when_its_deformation_is_steady(tmp_path,
     assert (summary["deformation_change"] < 0.01) == (status == "converged")
 
 
+def test_a_cell_that_had_no_time_to_deform_is_not_converged(tmp_path):
+    # The discocyte is deformed at rest, and keeps its shape for a while.
+    case = {**merged(SHEAR, {"shear": {"duration": 0.2}}), "cell": {"mesh_frequency": 5}}
+    assert solver(tmp_path, case, "--force").returncode == 0
+    summary = summary_of(tmp_path)
+    assert summary["deformation_change"] < 0.01 and summary["status"] == "undecided"
+
+
 def test_a_shear_ends_at_its_last_step(tmp_path):
     case = merged(SHEAR, {"shear": {"duration": 3}, "stop": {"max_steps": 400}})
     done = solver(tmp_path, case)

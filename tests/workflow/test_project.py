@@ -15,7 +15,10 @@ SUFFIXES = {".py", ".smk", ".cpp", ".hpp", ".json", ".md", ".cff", ".toml", ".tx
 
 def text_files():
     """Files written by hand: code, parameters and documents."""
-    yield from (path for path in ROOT.iterdir() if path.is_file() and path.suffix in SUFFIXES)
+    beside = (
+        path for path in ROOT.iterdir() if path.is_file() and path.name != ".git"
+    )  # a file in a worktree
+    yield from (path for path in beside if path.suffix in SUFFIXES)
     for folder in CODE:
         for path in folder.rglob("*"):
             if path.is_file() and path.suffix in SUFFIXES and "__pycache__" not in path.parts:

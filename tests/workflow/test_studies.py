@@ -4,6 +4,7 @@ import copy
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from study.analysis.devices import circle_facts, pressure_gradient_bar_per_m
@@ -147,7 +148,7 @@ def test_a_section_of_the_print_is_refused_in_another_study_with_the_reason(sect
         plan_of(document, tmp_path)
 
 
-DLD = planning.ROOT / "build/dld"
+DLD = Path(__file__).resolve().parents[2] / "build/dld"
 
 
 @pytest.mark.skipif(not DLD.exists(), reason="the solver is not built")

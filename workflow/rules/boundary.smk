@@ -30,22 +30,22 @@ BRACKET_CODE = ["workflow/study/planning/brackets.py"]  # the rest of the packag
 def bracket_identity(wildcards):
     """Identity of a bracket's definition: a changed definition begins it anew, at every level (a level whose file
     came out with the same bytes would not be passed on)."""
-    return PLAN["brackets"][wildcards.bracket]["identity"]
+    return planned_bracket(wildcards)["identity"]
 
 
 def level_priority(wildcards):
     """Priority of a job of a bracket: the work of its level and of those that wait for it."""
-    return bracket_priority(PLAN["brackets"][wildcards.bracket], int(wildcards.get("level", 0)), PLAN, SECONDS)
+    return bracket_priority(planned_bracket(wildcards), int(wildcards.get("level", 0)), PLAN, SECONDS)
 
 
 def confirmation_priority(wildcards):
     """Priority of a run that confirms an end of a bracket: nothing waits for it."""
-    return case_priority(PLAN["brackets"][wildcards.bracket]["confirm"][wildcards.label], PLAN, SECONDS)
+    return case_priority(confirming_case(wildcards), PLAN, SECONDS)
 
 
 def known_runs(wildcards):
     """Summaries of the runs of the plan that lie on a bracket's axis."""
-    return [f"{RUNS}/{run}/summary.json" for _, run in PLAN["brackets"][wildcards.bracket]["known"]]
+    return [f"{RUNS}/{run}/summary.json" for _, run in planned_bracket(wildcards)["known"]]
 
 
 def state_before(wildcards):
@@ -55,7 +55,7 @@ def state_before(wildcards):
 
 def final_state(wildcards):
     """The last state of a bracket."""
-    return f"{BRACKETS}/{wildcards.bracket}/level-{PLAN['brackets'][wildcards.bracket]['levels']}.json"
+    return f"{BRACKETS}/{wildcards.bracket}/level-{planned_bracket(wildcards)['levels']}.json"
 
 
 rule bracket_start:

@@ -14,6 +14,7 @@ RUN_PRIORITIES = run_priorities(PLAN, SECONDS)
 
 def run_priority(wildcards):
     """Priority of a run: the work that waits for it."""
+    planned_case(wildcards)
     return RUN_PRIORITIES[wildcards.run]
 
 

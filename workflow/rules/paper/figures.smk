@@ -321,6 +321,8 @@ rule animation:
         modules=modules_of(f"{SCRIPTS}/drawing/animation.py"),
     output:
         f"{FIGURES}/animation_{{name}}.gif",
+    wildcard_constraints:
+        name="|".join(PLAN["figures"]["animations"]),
     log:
         f"{LOGS}/animation_{{name}}.log",
     shell:
