@@ -31,7 +31,7 @@ def identity(case, model=1):
 @pytest.mark.parametrize("tier", ["smoke", "paper", "fine"])
 def test_every_tier_has_a_valid_plan_with_all_groups(study, tier):
     plan = make_plan(study, tier, CASE_SCHEMA)
-    assert {run["group"] for run in plan["runs"]} == GROUPS
+    assert {run["group"] for run in plan["runs"]} - {"uncertainty-cells"} == GROUPS
     for run in plan["runs"]:
         assert problems(run["case"], CASE_SCHEMA) == []
 

@@ -95,10 +95,16 @@ def test_the_law_on_a_finer_lattice_is_compared_with_the_print(tmp_path, call, r
     assert rows.brackets["refined"] == 5 and rows.brackets["reference"] == 0
     assert pd.isna(rows.offset_um["reference"])
     (tmp_path / "plan.json").write_text(json.dumps({"note": ""}), encoding="utf-8")
-    drawn = {"csv": tmp_path / "drawn.csv", "output": tmp_path / "drawn.pdf"}
+    drawn = {"csv": tmp_path / "drawn.csv", "output": tmp_path / "drawn.pdf", "cells": tmp_path / "cells.csv"}
+    cells = {"row_shift_um": [6.8, 6.8], "capillary_number": [0.1, 0.3], "class": ["displaced", "displaced"]}
+    pd.DataFrame(cells).assign(printed_class=["displaced", "zigzag"]).to_csv(drawn["cells"], index=False)
     call("fig_boundary_lattices", plan=tmp_path / "plan.json", **files, laws=table, **drawn)
     curves = pd.read_csv(tmp_path / "drawn.csv").query("kind == 'law'")
     assert set(curves.series) == {"default", "refined", "paper"}
+    assert pd.read_csv(tmp_path / "drawn.csv").query("kind == 'cell'").printed_class.to_list() == [
+        "displaced",
+        "zigzag",
+    ]
 
 
 def test_the_figure_states_the_printed_boundary_beside_every_bracket(made):

@@ -5,6 +5,7 @@ Its brackets have lattices of half the spacing and take hours; the study does wi
 
 UNCERTAINTY_TABLE = f"{TABLES}/boundary_uncertainty.csv"
 LATTICES_TABLE = f"{TABLES}/boundary_lattices.csv"
+LATTICE_CELLS = f"{TABLES}/lattice_cells.csv"
 UNCERTAINTY_FIGURE = expand(
     f"{FIGURES}/boundary_{{name}}.{{suffix}}", name=["uncertainty", "lattices"], suffix=["pdf", "png", "csv"]
 )
@@ -62,12 +63,34 @@ rule lattices_table:
         """
 
 
+rule lattice_cells:
+    input:
+        plan=PLAN_FILE,
+        runs=of_runs("summary.json", "uncertainty-cells"),
+        passages=rules.passages_table.output,
+        claims=CLAIMS,
+        script=f"{SCRIPTS}/analysis/lattice_cells.py",
+        modules=modules_of(f"{SCRIPTS}/analysis/lattice_cells.py"),
+    output:
+        LATTICE_CELLS,
+    log:
+        f"{LOGS}/lattice_cells.log",
+    params:
+        runs=RUNS,
+    shell:
+        """
+        python {input.script} --plan {input.plan} --runs {params.runs} --passages {input.passages} \
+            --claims {input.claims} --output {output} 2> {log}
+        """
+
+
 rule figure_lattices:
     input:
         plan=PLAN_FILE,
         boundary=rules.boundary_tables.output.boundary,
         uncertainty=rules.uncertainty_table.output,
         laws=rules.lattices_table.output,
+        cells=rules.lattice_cells.output,
         claims=CLAIMS,
         script=f"{SCRIPTS}/drawing/fig_boundary_lattices.py",
         modules=modules_of(f"{SCRIPTS}/drawing/fig_boundary_lattices.py"),
@@ -78,7 +101,7 @@ rule figure_lattices:
     shell:
         """
         python {input.script} --plan {input.plan} --boundary {input.boundary} --uncertainty {input.uncertainty} \
-            --laws {input.laws} --claims {input.claims} --csv {output.csv} --output {output.pdf} 2> {log}
+            --laws {input.laws} --cells {input.cells} --claims {input.claims} --csv {output.csv} --output {output.pdf} 2> {log}
         """
 
 
@@ -86,4 +109,5 @@ rule uncertainty:
     input:
         UNCERTAINTY_TABLE,
         LATTICES_TABLE,
+        LATTICE_CELLS,
         UNCERTAINTY_FIGURE,

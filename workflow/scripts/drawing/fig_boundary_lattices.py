@@ -1,6 +1,7 @@
 """The soft end of the boundary is the lattice's: brackets and law on the paper's lattice (grey) and on one
 of half the spacing with the plain (green) and the corrected (blue) kernel, over the paper's Eq. (5) and the
-ranges in which its text has the class change. Arrows are open ends: the boundary lies beyond."""
+ranges in which its text has the class change. Arrows are open ends: the boundary lies beyond.
+Marks are single cells on the finer lattice."""
 
 import numpy as np
 from study.analysis.arguments import figure_arguments
@@ -11,6 +12,7 @@ from study.paper.claims import load_claims
 from study.planning.documents import read_json
 
 COLUMNS = ["kind", "series", "row_shift_um", *UNDISPUTED, "capillary_number", "d_um"]
+COLUMNS += ["class", "printed_class"]
 LARGEST = 1.6  # capillary number at the right edge, as in Fig. 7
 CURVE = np.linspace(0, LARGEST, 81)
 REACH = 1.2  # a fitted curve ends at its outermost brackets times this
@@ -70,6 +72,23 @@ def draw_series(axes, rows, look):
     axes.plot([], [], color=colour, lw=width, label=name)
 
 
+def draw_cells(axes, cells):
+    """Single cells on the finer lattice: displaced filled, zigzag open; a cross where the paper has another
+    class."""
+    for name, marker in (("displaced", "o"), ("zigzag", "s")):
+        rows, colour = cells[cells["class"] == name], style.CLASSES[name][0]
+        look = {"ms": 3.2, "mew": 0.7, "color": colour, "mfc": colour if name == "displaced" else "none"}
+        if len(rows):
+            label = f"{name}, 0.2 μm"
+            axes.plot(rows.capillary_number, rows.row_shift_um, marker, ls="", label=label, zorder=3, **look)
+    other = cells[cells.printed_class.notna() & (cells["class"] != cells.printed_class)]
+    if len(other):
+        look = {"color": style.BLACK, "ms": 6, "mew": 1.0, "ls": "", "zorder": 6}
+        axes.plot(
+            other.capillary_number, other.row_shift_um, "x", label="another class in the paper's text", **look
+        )
+
+
 def draw_paper(axes, rows):
     """Eq. (5) and the ranges of the text."""
     curve = rows[rows.kind == "law"]
@@ -83,22 +102,26 @@ def draw_paper(axes, rows):
 
 
 def main():
-    arguments = figure_arguments(__doc__, "boundary", "uncertainty", "laws", "claims")
+    arguments = figure_arguments(__doc__, "boundary", "uncertainty", "laws", "cells", "claims")
     plan, claim = read_json(arguments.plan), load_claims(arguments.claims)["phase-boundary"]
     tables = [read_table(path) for path in (arguments.boundary, arguments.uncertainty, arguments.laws)]
     styles = dict.fromkeys(["row_shift_um", "d_um"], ".3f")
     styles |= dict.fromkeys([*UNDISPUTED, "capillary_number"], ".4g")
-    write_table(list(rows_of(*tables, claim)), COLUMNS, arguments.csv, styles=styles)
+    cells = read_table(arguments.cells)
+    cells = cells[cells.capillary_number <= LARGEST].assign(kind="cell", series="refined")
+    rows = [*rows_of(*tables, claim), *cells[[name for name in COLUMNS if name in cells]].to_dict("records")]
+    write_table(rows, COLUMNS, arguments.csv, styles=styles)
     table = read_table(arguments.csv)
     figure = style.new_figure(style.PAGE, 4.2)
     axes = figure.add_subplot()
+    draw_cells(axes, table[table.kind == "cell"])
     for series, look in LOOKS.items():
-        draw_series(axes, table[table.series == series], look)
+        draw_series(axes, table[(table.series == series) & (table.kind != "cell")], look)
     draw_paper(axes, table[table.series == "paper"])
     place = {"transform": axes.transAxes, "fontsize": 9}
     axes.text(0.08, 0.1, "displaced", color=style.BLUE, **place)
     axes.text(0.97, 0.88, "zigzag", color=style.VERMILION, ha="right", **place)
-    axes.set(xlim=(0, LARGEST), ylim=(3.0, 9.2), xlabel="capillary number Ca", ylabel="row shift $d$ / μm")
+    axes.set(xlim=(0, LARGEST), ylim=(1.6, 9.2), xlabel="capillary number Ca", ylabel="row shift $d$ / μm")
     style.legend_below(figure, 3)
     style.save(figure, arguments.output, plan["note"])
 

@@ -40,6 +40,7 @@ def context(arguments):
         "readings": results_page.readings(printed["readings"]),
         "doubts": results_page.doubts(uncertainty),
         "uncertain": uncertainty is not None,
+        "cells": results_page.finer_cells(found.get("lattice_cells")),
         "lattices": results_page.lattices(found.get("boundary_lattices")),
         "starts": results_page.starts(found["second_starts"]),
         "rules": results_page.rules(found["a_priori_summary"]),

@@ -105,6 +105,14 @@ def lattices(table):
     return distances | {"to_ca": f"{rows.to_ca['refined']:g}"}
 
 
+def finer_cells(table):
+    """How many cells of the finer lattice have a printed class, and how many have it; None without them."""
+    if table is None:
+        return None
+    named = table[table.printed_class.notna()]
+    return {"named": len(named), "as_printed": int((named["class"] == named.printed_class).sum())}
+
+
 def starts(table):
     """What became of the class of passages from a second place, by set of passages."""
     heads = {"set": "started in the middle of the gap", "points": "passages", "same_class": "same class"}

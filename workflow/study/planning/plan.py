@@ -32,8 +32,12 @@ BRACKET_SOURCES = [
     ("uncertainty", points.uncertainty_brackets),
 ]
 
-#: Last, so that the brackets do not wait for runs that only the target `accuracy` needs.
-LAST_SOURCES = [("accuracy", points.accuracy), ("accuracy", points.settings_check)]
+#: Last, so that the brackets do not wait for runs that only the targets `uncertainty` and `accuracy` need.
+LAST_SOURCES = [
+    ("uncertainty", points.uncertainty_cells),
+    ("accuracy", points.accuracy),
+    ("accuracy", points.settings_check),
+]
 
 
 class _Planner:

@@ -213,6 +213,15 @@ def uncertainty_brackets(tier):
         yield from _along_capillary_number(tier, series, entry, part, entry["case"], kind="uncertainty")
 
 
+def uncertainty_cells(tier):
+    """Passages of single cells with other settings, for the target `uncertainty`."""
+    for name, part in tier["uncertainty"].get("cells", {}).items():
+        labels, parts = placed(tier, part)
+        for shift, capillary in product(part["row_shifts_um"], part["capillary_numbers"]):
+            point = merged({"scene": "passage"}, _at(shift, capillary))
+            yield "uncertainty-cells", {"sweep": name} | labels, merged(*parts, part["case"], point)
+
+
 def _along_capillary_number(tier, series, entry, part, overlay, kind="boundary"):
     labels, parts = placed(tier, entry)
     own_ranges = entry.get("ca_ranges", {})
