@@ -3,6 +3,7 @@
 import json
 import math
 
+import h5py
 import pandas as pd
 import pytest
 from study.analysis.boundary import UNDISPUTED
@@ -105,6 +106,39 @@ def test_the_law_on_a_finer_lattice_is_compared_with_the_print(tmp_path, call, r
         "displaced",
         "zigzag",
     ]
+
+
+def test_cells_on_the_finer_lattice_stand_beside_the_grid_and_the_print(tmp_path, call, root):
+    runs = []
+    for number, (shift, status, extent) in enumerate([(6.8, "displaced", 6.6), (6.8, "zigzag", 5.7)]):
+        case = {
+            "geometry": {"row_shift_um": shift},
+            "cell": {"capillary_number": 0.3},
+            "fluid": {"lattice_spacing_um": 0.2},
+        }
+        labels = {"sweep": f"finer-{number}"}
+        runs.append({"id": f"{number:012x}", "group": "uncertainty-cells", "labels": labels, "case": case})
+        folder = tmp_path / "runs" / runs[-1]["id"]
+        folder.mkdir(parents=True)
+        h5py.File(folder / "run.h5", "w").close()
+        summary = {"status": status, "d_perp_um": extent, "min_face_ratio": 0.9}
+        (folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
+    (tmp_path / "plan.json").write_text(json.dumps({"runs": runs}), encoding="utf-8")
+    grid = {
+        "sweep": "grid",
+        "row_shift_um": 6.8,
+        "capillary_number": 0.3,
+        "class": "zigzag",
+        "d_perp_um": 6.0,
+    }
+    pd.DataFrame([grid]).to_csv(tmp_path / "passages.csv", index=False)
+    files = {"plan": tmp_path / "plan.json", "runs": tmp_path / "runs", "passages": tmp_path / "passages.csv"}
+    table = tmp_path / "cells.csv"
+    call("lattice_cells", **files, claims=root / "params/claims.json", output=table)
+    rows = pd.read_csv(table)
+    assert list(rows.printed_class) == ["zigzag", "zigzag"] and list(rows.as_printed) == [0, 1]
+    assert list(rows.class_of_grid) == ["zigzag", "zigzag"]
+    assert list(rows.change_percent) == [10.0, -5.0]
 
 
 def test_the_figure_states_the_printed_boundary_beside_every_bracket(made):

@@ -8,7 +8,16 @@ from study.analysis.tables import read_table, write_table
 from study.paper.claims import SWEEP, load_claims
 
 KEYS = ["sweep", "row_shift_um", "capillary_number"]
-COLUMNS = [*KEYS, "dx_um", "printed_class", "class", "class_of_grid", "d_perp_um", "d_perp_of_grid_um"]
+COLUMNS = [
+    *KEYS,
+    "dx_um",
+    "printed_class",
+    "class",
+    "as_printed",
+    "class_of_grid",
+    "d_perp_um",
+    "d_perp_of_grid_um",
+]
 COLUMNS += ["change_percent", "min_face_ratio", "run"]
 STYLES = {"row_shift_um": ".1f", "capillary_number": ".4g", "dx_um": ".4f", "min_face_ratio": ".3f"}
 STYLES |= {"d_perp_um": ".3f", "d_perp_of_grid_um": ".3f", "change_percent": ".1f"}
@@ -26,22 +35,22 @@ def of_grid(passages, row_shift_um, capillary):
 
 def row_of(run, passages, statements):
     """Table row of one cell."""
-    shift = run.case["geometry"]["row_shift_um"]
-    capillary = run.case["cell"]["capillary_number"]
+    shift, capillary, summary = run.row_shift_um, run.case["cell"]["capillary_number"], run.summary
     other, extent = of_grid(passages, shift, capillary)
-    own = run.summary.get("d_perp_um")
+    own, printed = summary.get("d_perp_um"), printed_class(statements, shift, capillary)
     return {
         "sweep": run.labels["sweep"],
         "row_shift_um": shift,
         "capillary_number": capillary,
-        "dx_um": run.case["fluid"]["lattice_spacing_um"],
-        "printed_class": printed_class(statements, shift, capillary),
-        "class": run.summary["status"],
+        "dx_um": run.dx_um,
+        "printed_class": printed,
+        "class": summary["status"],
+        "as_printed": None if printed is None else int(summary["status"] == printed),
         "class_of_grid": other,
         "d_perp_um": own,
         "d_perp_of_grid_um": extent,
         "change_percent": None if None in (own, extent) else 100 * (own / extent - 1),
-        "min_face_ratio": run.summary.get("min_face_ratio"),
+        "min_face_ratio": summary.get("min_face_ratio"),
         "run": run.id,
     }
 

@@ -109,8 +109,7 @@ def finer_cells(table):
     """How many cells of the finer lattice have a printed class, and how many have it; None without them."""
     if table is None:
         return None
-    named = table[table.printed_class.notna()]
-    return {"named": len(named), "as_printed": int((named["class"] == named.printed_class).sum())}
+    return {"named": int(table.as_printed.count()), "as_printed": int(table.as_printed.sum())}
 
 
 def starts(table):
