@@ -112,7 +112,7 @@ def test_cells_on_the_finer_lattice_stand_beside_the_grid_and_the_print(tmp_path
     runs = []
     for number, (shift, status, extent) in enumerate([(6.8, "displaced", 6.6), (6.8, "zigzag", 5.7)]):
         case = {
-            "geometry": {"row_shift_um": shift},
+            "geometry": {"row_shift_um": shift, "pitch_um": 32.0},
             "cell": {"capillary_number": 0.3},
             "fluid": {"lattice_spacing_um": 0.2},
         }
