@@ -109,7 +109,7 @@ def test_second_starts_count_changed_classes():
     point |= {"skalak_denominator": 12, "capillary_number": 0.5}
     pairs = [(4.4, "displaced", "displaced"), (6.0, "displaced", "zigzag"), (6.8, "undecided", "zigzag")]
     rows = [
-        point | {"row_shift_um": shift, "sweep": sweep, "class": label}
+        point | {"row_shift_um": shift, "epsilon": shift / 32, "sweep": sweep, "class": label}
         for shift, *labels in pairs
         for sweep, label in zip(("grid", "second-start"), labels, strict=True)
     ]

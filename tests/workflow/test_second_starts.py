@@ -15,7 +15,7 @@ POINT = {
 
 def passages(*pairs):
     return pd.DataFrame(
-        POINT | {"row_shift_um": shift, "sweep": sweep, "class": label}
+        POINT | {"row_shift_um": shift, "epsilon": shift / 32, "sweep": sweep, "class": label}
         for shift, *labels in pairs
         for sweep, label in zip(("grid", "second-start"), labels, strict=True)
     )
@@ -30,7 +30,7 @@ def test_the_grid_gives_its_decided_points_only():
     table = passages(
         (4.4, "displaced", "displaced"), (6.0, "displaced", "zigzag"), (6.8, "undecided", "zigzag")
     )
-    alone = pd.DataFrame([POINT | {"row_shift_um": 8.0, "sweep": "grid", "class": "zigzag"}])
+    alone = pd.DataFrame([POINT | {"row_shift_um": 8.0, "epsilon": 0.25, "sweep": "grid", "class": "zigzag"}])
     pairs = grid_pairs(pd.concat([table, alone]))
     assert sorted(pairs) == [("displaced", "displaced"), ("displaced", "zigzag")]
 
