@@ -65,7 +65,8 @@ wildcard_constraints:
 
 include: "workflow/rules/build.smk"
 
-progress.describe(PLAN, SECONDS, workflow.cores)
+# Without --cores the jobs are those of a cluster, as many at a time as --jobs says.
+progress.describe(PLAN, SECONDS, workflow.resource_settings.cores or workflow.resource_settings.nodes)
 
 include: "workflow/rules/cluster.smk"
 include: "workflow/rules/runs.smk"
