@@ -85,6 +85,14 @@ def test_the_workflow_plans_its_figures(tier, tmp_path):
         assert rule in done.stdout + done.stderr
 
 
+def test_the_workflow_is_read_without_a_number_of_cores():
+    """As on a cluster, where --jobs counts."""
+    snakemake = [sys.executable, "-m", "snakemake", "--snakefile", ROOT / "Snakefile", "--directory", ROOT]
+    command = [*snakemake, "--dry-run", "--quiet", "all", "--jobs", "3", "--nolock", "--config", "tier=smoke"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
 def test_shell_programs_are_valid():
     for name in (
         "workflow/bootstrap",
