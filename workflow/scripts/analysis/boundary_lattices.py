@@ -4,7 +4,7 @@ Eq. (5)."""
 
 import numpy as np
 from study.analysis.arguments import required_arguments
-from study.analysis.boundary import PARAMETERS, brackets_of, fit_boundary, law
+from study.analysis.boundary import PARAMETERS, brackets_in, fit_boundary, law
 from study.analysis.tables import read_table, write_table
 from study.paper.claims import load_claims
 
@@ -20,13 +20,6 @@ BOUNDS = [f"{name}_{end}" for name in PARAMETERS for end in ("low", "high")]
 CAPILLARY = ["from_ca", "to_ca", "at_ca"]
 COLUMNS = ["series", "lattice_um", "kernel", "brackets", *PARAMETERS, *BOUNDS, "scatter_um"]
 COLUMNS += ["from_ca", "to_ca", "largest_distance_um", "at_ca"]
-
-
-def brackets(study, uncertainty, series):
-    """(row shifts in um, displaced up to, zigzag from) of a series, from the table that has it."""
-    if (study.series == series).any():
-        return brackets_of(study, series)
-    return brackets_of(uncertainty.drop_duplicates(["series", "row_shift_um"]), series)
 
 
 def row_of(series, found, count, printed):
@@ -48,10 +41,10 @@ def main():
     arguments = required_arguments(__doc__, "boundary", "uncertainty", "claims", "output")
     claim = load_claims(arguments.claims)["phase-boundary"]["value"]
     printed = [claim[name] for name in PARAMETERS]
-    study, uncertainty = read_table(arguments.boundary), read_table(arguments.uncertainty)
+    tables = [read_table(arguments.boundary), read_table(arguments.uncertainty)]
     rows = []
     for series in SERIES:
-        shifts, low, high = brackets(study, uncertainty, series)
+        shifts, low, high = brackets_in(tables, series)
         count = int((~np.isnan(low + high)).sum())
         rows.append(row_of(series, fit_boundary(shifts, low, high), count, printed))
     styles = dict.fromkeys([*PARAMETERS, *BOUNDS, "scatter_um", "largest_distance_um"], ".3f")

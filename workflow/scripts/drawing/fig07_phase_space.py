@@ -16,6 +16,7 @@ from study.analysis.boundary import (
 )
 from study.analysis.tables import read_table, write_table
 from study.drawing import style
+from study.paper import phase_space
 from study.paper.claims import SERIES, load_claims
 from study.planning.brackets import FROM_CELLS
 from study.planning.classes import DECIDED
@@ -23,9 +24,6 @@ from study.planning.documents import read_json
 
 COLUMNS = ["kind", "series", "row_shift_um", "capillary_number", "class", "printed_class", *UNDISPUTED]
 COLUMNS += ["status", "contradictions", "d_um", "d_low_um", "d_high_um"]
-LARGEST = 1.6  # capillary number at the right edge
-CURVE = np.linspace(0, LARGEST, 81)  # capillary numbers of the curves
-REACH = 1.2  # a fitted curve ends at its outermost brackets times this
 #: Our boundary with one other choice: the name on its line and the Ca at which it stands.
 OTHERS = {"hinge_sphere": ("stiffer folds", 0.6), "corrected": ("corrected kernel", 0.62)}
 OTHERS |= {"hinge_sheet": ("softer folds", 0.28)}
@@ -33,7 +31,7 @@ OTHERS |= {"hinge_sheet": ("softer folds", 0.28)}
 
 def cell_rows(passages, sweep, statements):
     """The cells of a sweep."""
-    cells = passages[(passages.sweep == sweep) & (passages.capillary_number <= LARGEST)]
+    cells = passages[(passages.sweep == sweep) & (passages.capillary_number <= phase_space.LARGEST)]
     for row in cells[["row_shift_um", "capillary_number", "class"]].to_dict("records"):
         printed = printed_class(statements, row["row_shift_um"], row["capillary_number"])
         yield {"kind": "cell", "series": sweep, "printed_class": printed} | row
@@ -52,7 +50,7 @@ def curve_rows(fits, boundary, series):
     shifts, low, high = brackets_of(boundary, series)
     kind, columns = "fit", []
     if set(PARAMETERS) <= set(fit.index):
-        curve = CURVE[(np.nanmin([low, high]) / REACH < CURVE) & (np.nanmax([low, high]) * REACH > CURVE)]
+        curve = phase_space.reached([low, high])
         columns = [curve, law([fit.value[name] for name in PARAMETERS], curve)]
         if series == SERIES:
             samples = bootstrap_boundary(shifts, low, high)[1]
@@ -65,17 +63,6 @@ def curve_rows(fits, boundary, series):
         yield {"kind": kind, "series": series} | dict(numbers)
 
 
-def paper_rows(claim):
-    """The paper's Eq. (5), and the ranges in which its text has the class change."""
-    for capillary, d in zip(CURVE, law([claim["value"][name] for name in PARAMETERS], CURVE), strict=True):
-        yield {"kind": "paper", "series": "Eq. (5)", "capillary_number": capillary, "d_um": d}
-    for said in claim["statements"]:
-        ends = [said["displaced_to"], said["zigzag_from"]]
-        if None not in ends:
-            row = {"kind": "paper", "series": "text", "row_shift_um": said["row_shift_um"]}
-            yield row | dict(zip(UNDISPUTED, ends, strict=True))
-
-
 def collect(arguments, sweep):
     """All rows of the figure."""
     passages, boundary, fits = (
@@ -86,27 +73,17 @@ def collect(arguments, sweep):
     yield from bracket_rows(boundary)
     for series in (SERIES, *OTHERS):
         yield from curve_rows(fits, boundary, series)
-    yield from paper_rows(claim)
+    yield from phase_space.paper_rows(claim)
 
 
 def draw_cells(axes, cells):
     """Displaced cells filled, zigzag ones open, pale; those without a class are diamonds."""
-    decided = cells["class"].isin(DECIDED)
-    kinds = {"displaced": (cells["class"] == "displaced", "o"), "zigzag": (cells["class"] == "zigzag", "s")}
-    kinds["no class"] = (~decided, "D")
-    for name, (chosen, mark) in kinds.items():
-        colour, rows = style.CLASSES.get(name, style.CLASSES["undecided"])[0], cells[chosen]
-        look = {"ms": 3.2, "mew": 0.7, "color": colour, "mfc": colour if name == "displaced" else "none"}
-        if len(rows):
-            axes.plot(
-                rows.capillary_number, rows.row_shift_um, mark, ls="", label=name, alpha=0.6, zorder=2, **look
-            )
-    other = cells[cells.printed_class.notna() & (cells["class"] != cells.printed_class)]
-    if len(other):
-        look = {"color": style.BLACK, "ms": 6, "mew": 1.0, "ls": "", "zorder": 6}
-        axes.plot(
-            other.capillary_number, other.row_shift_um, "x", label="another class in the paper's text", **look
-        )
+    look = {"alpha": 0.6, "zorder": 2}
+    for name, mark in phase_space.MARKS.items():
+        phase_space.draw_cells(axes, cells[cells["class"] == name], name, mark, name, **look)
+    rest = cells[~cells["class"].isin(DECIDED)]
+    phase_space.draw_cells(axes, rest, "undecided", "D", "no class", **look)
+    phase_space.draw_contradictions(axes, cells)
 
 
 def draw_others(axes, table):
@@ -128,15 +105,7 @@ def draw_others(axes, table):
 def draw_lines(axes, table):
     """The two boundaries: the paper's with the ranges of its text, ours with band and two-sided brackets."""
     paper = table[table.kind == "paper"]
-    dashes = {"color": style.BLACK, "ls": (0, (5, 2)), "lw": 1.6, "zorder": 5}
-    axes.plot(paper.capillary_number, paper.d_um, label="paper, Eq. (5)", **dashes)
-    for row in paper[paper.series == "text"].to_dict("records"):
-        ends, look = (
-            [row[name] for name in UNDISPUTED],
-            {"color": style.BLACK, "lw": 0.7, "ms": 5, "mew": 0.7},
-        )
-        axes.plot(ends, [row["row_shift_um"] - 0.13] * 2, "|-", zorder=4, **look)
-    axes.plot([], [], "|-", label="paper, text: class changes within", **look)
+    phase_space.draw_paper(axes, paper, paper[paper.series == "text"], below_um=0.13, layer=5)
     ours = {"color": style.GREEN, "zorder": 4}
     line = table[(table.kind == "fit") & (table.series == SERIES)]
     found = "band of 95 % and brackets"
@@ -163,14 +132,7 @@ def main():
     draw_cells(axes, table[table.kind == "cell"])
     draw_others(axes, table)
     draw_lines(axes, table)
-    place = {"color": "#777777", "fontsize": 9, "ha": "center", "zorder": 6}
-    axes.text(
-        0.08, 0.1, "displaced", transform=axes.transAxes, **(place | {"color": style.BLUE, "ha": "left"})
-    )
-    axes.text(
-        0.97, 0.88, "zigzag", transform=axes.transAxes, **(place | {"color": style.VERMILION, "ha": "right"})
-    )
-    axes.set(xlim=(0, LARGEST), ylim=(1.6, 9.2), xlabel="capillary number Ca", ylabel="row shift $d$ / μm")
+    phase_space.draw_frame(axes)
     style.legend_below(figure, 3)
     style.save(figure, arguments.output, plan["note"])
 

@@ -84,6 +84,15 @@ def brackets_of(table, series):
     return tuple(rows[["row_shift_um", *UNDISPUTED]].to_numpy(float).T)
 
 
+def brackets_in(tables, series):
+    """The same from the first of some tables that has the series; a row shift that stands there for several
+    causes counts once."""
+    for table in tables:
+        if (table.series == series).any():
+            return brackets_of(table.drop_duplicates(["series", "row_shift_um"]), series)
+    return brackets_of(tables[-1], series)
+
+
 def _closed(low, high):
     return ~np.isnan(low) & ~np.isnan(high)
 
